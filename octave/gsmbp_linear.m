@@ -86,52 +86,34 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   if (isempty (which ("ss")))
     pkg load control
   endif
-  [A, B, C, D] = gs.linear.model_jacobian (who, m, t, x, v);
-  outputs = m.outputs;
-  warn_of_derivatives (who, m, [C, D]);
-  if (d.ny == 0)
-    C = eye (d.nx);
-    D = zeros (d.nx, d.nv);
-    outputs = m.states;
-  endif
-  T = eye (d.nx);
-  independent = 1:d.nx;
   named = ! (ischar (o.reduced) && any (strcmp (o.reduced, {"auto", "none"})));
+  wanted = [];
   if (named)
-    o.reduced = state_numbers (m, o.reduced);
+    wanted = state_numbers (m, o.reduced);
   endif
-  dropping = ! isempty (o.drop);
-  if (dropping && ischar (o.reduced))
-    [q, u] = gs.linear.free_velocities (m, t, x, []);
-    o.reduced = [q, d.nq + u];
-  endif
-  if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
-    [T, independent] = gs.linear.loop_tangent (who, m, t, x, o.reduced, zeros (0, 2));
-  elseif (named && ! all (ismember (1:d.nq, o.reduced)))
-    error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
-            "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
-  endif
-  [A, B, C] = deal (A(independent,:) * T, B(independent,:), C * T);
-  dropped = {};
-  if (dropping)
-    keep = gs.linear.without_states (who, m, t, x, v, o.drop, A, independent);
-    dropped = m.states(independent(! keep))(:)';
-    seen = ! any (abs (C(:,! keep)) > 1e-12 * max (abs (C), [], 2), 2);
-    warn_of_outputs (m, outputs(! seen), dropped);
-    [A, B, C, D] = deal (A(keep,keep), B(keep,:), C(seen,keep), D(seen,:));
-    [T, independent, outputs] = deal (T(:,keep), independent(keep), outputs(seen));
-  endif
-  sys = ss (A, B, C, D, "statename", m.states(independent), "inputname", m.inputs, ...
-            "outputname", outputs);
+  running = ischar (o.drop) && strcmp (o.drop, "running");
+  r = model_of (who, m, t, x, v, merge (named, 0, 1 + strcmp (o.reduced, "none")), wanted, ...
+                running, coordinate_numbers (m, o.drop, running));
+  outputs = merge (d.ny > 0, m.outputs, m.states);
+  dropped = m.states(r.dropped)(:)';
+  warn_of_outputs (m, outputs(setdiff (1:numel (outputs), r.seen)), dropped);
+  [T, independent] = deal (r.T, r.independent);
+  sys = ss (r.A, r.B, r.C, r.D, "statename", m.states(independent), "inputname", m.inputs, ...
+            "outputname", outputs(r.seen));
 endfunction
 
-## the rates have their derivatives, an output may have none
-function warn_of_derivatives (who, m, J)
-  text = gs.text.not_finite_entries (J, strcat ({"output "}, m.outputs(:)), [m.states(:); ...
-                                                                             m.inputs(:)]);
-  if (! isempty (text))
-    warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
+## the linear model of host/linear/linear.h
+function r = model_of (who, m, t, x, v, varargin)
+  at = gs.linear.state_place (m, t, x, v);
+  [verdict, text, A, B, C, D, T, independent, dropped, seen, output, by] = ...
+      m.module ("linear", at{:}, varargin{:});
+  gs.linear.heed_verdict (who, m, verdict, text);
+  if (output > 0)
+    warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, gs.text.refusal_text ( ...
+        "no_derivative", ["output " m.outputs{output}], [m.states(:); m.inputs(:)]{by}));
   endif
+  r = struct ("A", A, "B", B, "C", C, "D", D, "T", T, "independent", independent, ...
+              "dropped", dropped, "seen", seen);
 endfunction
 
 ## outputs that follow what is dropped are no part of the model
@@ -151,6 +133,20 @@ function k = state_numbers (m, names)
   if (! all (k) || isempty (k))
     error ("gsmbp_linear: option \"reduced\": %s has no state %s", m.name,
            gs.text.nearest_word ([names(! k)(:); {""}]{1}, m.states));
+  endif
+endfunction
+
+## ... and those of the option "drop" among the coordinates
+function k = coordinate_numbers (m, names, running)
+  k = [];
+  if (running || isempty (names))
+    return;
+  endif
+  names = cellstr (names)(:)';
+  k = gs.given.places_of (names, m.coordinates);
+  if (! all (k))
+    error (["gsmbp_linear: option \"drop\": expected the name of a coordinate or \"running\", " ...
+            "found %s"], gs.text.nearest_word (names{find (! k, 1)}, m.coordinates));
   endif
 endfunction
 

@@ -156,105 +156,12 @@ endfunction
 function [r, doubt] = modes_at (p, x)
   [m, who] = deal (p.m, "gsmbp_modes");
   x = gs.start.consistent_start (who, m, p.t, x, p.start);
-  if (p.steady)
-    x = steady (p, x);
-  endif
-  [T, k] = gs.linear.loop_tangent (who, m, p.t, x, "auto", p.held);
-  [A, xd] = gs.linear.held_jacobian (who, m, p.t, x, p.v, p.held);
-  A = A(k,:) * T;
-  doubt = acceleration (m, k, A, xd);
-  A = without_rounding (A .* m.nominal(k)' ./ m.nominal(k));   # in nominal magnitudes
-  keep = find (any (A, 1));   # on the other states nothing depends
-  [V, e] = eig (A(keep,keep), "vector");
-  e(abs (e) <= 1e-9 * max ([abs(e); 0])) = 0;
-  pairs = find (imag (e) > 0)(:);
-  [~, order] = sort (abs (e(pairs)));
-  pairs = pairs(order);
-  r.eigenvalues = e(pairs);
-  r.frequency = abs (e(pairs));
-  r.damping = 0 - real (e(pairs)) ./ r.frequency;
-  W = A(:,keep) * V(:,pairs) ./ e(pairs)(:).';   # A*w = e*w gives the other states
-  W(keep,:) = V(:,pairs);
-  r.shapes = shapes (m, T * (W .* m.nominal(k)));
-  r.real = sort (real (e(imag (e) == 0 & e != 0)));
-  r.rigid = numel (k) - numel (keep) + sum (e == 0);
-  r.x = x;
-endfunction
-
-## entries below the rounding of the largest one of their row are zero: balancing would enlarge them
-function A = without_rounding (A)
-  A(abs (A) < 1e-17 * max (abs (A), [], 2)) = 0;
-endfunction
-
-## the largest of the accelerations beside what a deviation of nominal magnitude gives
-function text = acceleration (m, k, A, xd)
-  text = "";
-  s = find (k > m.sizes.nq & k <= m.sizes.nq + m.sizes.nu);
-  limit = 1e-6 * max (abs (A(s,:)) * m.nominal(k), m.nominal(k(s)));
-  [most, worst] = max (abs (xd(k(s))) ./ limit);
-  if (! (isempty (most) || most <= 1))
-    i = k(s(worst));
-    text = sprintf ("%s with an acceleration of %.3g %s", m.states{i}, xd(i), ...
-                    strrep ([m.units.states{i} "/s"], "/s/s", "/s^2"));
-  endif
-endfunction
-
-## the shapes of the eigenvectors X: zero where states of devices vibrate alone
-function S = shapes (m, X)
-  told = merge (m.sizes.nq > 0, m.sizes.nq, m.sizes.nx);
-  S = X(1:told,:);
-  share = abs (X) ./ m.nominal;
-  for i = 1:columns (S)
-    [~, top] = max (abs (S(:,i)));
-    if (max (share(1:told,i)) > 1e-12 * max (share(:,i)))
-      S(:,i) /= S(top,i);
-    else
-      S(:,i) = 0;
-    endif
-  endfor
-endfunction
-
-## X moved to where nothing but what is held moves at other than constant speed: Newton's method
-function x = steady (p, x)
-  [m, d] = deal (p.m, p.m.sizes);
-  speeds = d.nq + (1:d.nu);
-  for round_ = 1:30
-    [A, xd] = gs.linear.held_jacobian ("gsmbp_modes", m, p.t, x, p.v, p.held);
-    [T, k] = gs.linear.loop_tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
-    z = find (! ismember (k, speeds));
-    f = find (k > d.nq);
-    J = A(k(f),:) * T(:,z);
-    scale = abs (J) * m.nominal(k(z));
-    if (all (abs (xd(k(f))) <= 1e-12 * max (scale, m.nominal(k(f)))))
-      return;
-    endif
-    dz = -pinv (J .* m.nominal(k(z))') * xd(k(f)) .* m.nominal(k(z));
-    x += T(:,z) * dz;
-    x(speeds) -= T(speeds,z) * dz;
-    x = closed (p, x);
-    if (norm (dz ./ m.nominal(k(z)), Inf) <= 1e-12)
-      return;
-    endif
-  endfor
-  [~, worst] = max (abs (xd(k(f))) ./ m.nominal(k(f)));
-  error (["gsmbp_modes: %s: no steady state found near this one: %s still changes by %g a " ...
-          "second"], m.name, m.states{k(f(worst))}, xd(k(f(worst))));
-endfunction
-
-## X on the constraints; what is held stays where it is
-function x = closed (p, x)
-  [m, d] = deal (p.m, p.m.sizes);
-  if (d.nlam == 0 && d.nq == d.nu)
-    return;
-  endif
-  q = gsmbp_assemble (m, x, "hold", m.coordinates(p.held(:,1)), "time", p.t)(1:d.nq);
-  x(1:d.nq) = q;
-  if (d.nlam > 0)
-    u = d.nq + (1:d.nu);
-    [~, phit, H] = m.con (p.t, q, x(u));
-    E = eye (d.nu)(p.held(:,2),:);
-    x(u) -= pinv ([H; E]) * [H * x(u) + phit; zeros(rows (E), 1)];
-  endif
+  at = gs.linear.state_place (m, p.t, x, p.v);
+  [verdict, text, x, doubt, e, frequency, damping, shapes, real_, rigid] = ...
+      m.module ("modes", at{:}, p.held', p.steady);
+  gs.linear.heed_verdict (who, m, verdict, text);
+  r = struct ("eigenvalues", e, "frequency", frequency, "damping", damping, "shapes", shapes, ...
+              "real", real_, "rigid", rigid, "x", x);
 endfunction
 
 ## the modes at each of the speeds of one coordinate, each followed by its shape

@@ -162,9 +162,9 @@ endfunction
 
 ## poles, and their derivatives by perturbation; frequencies and damping of those that oscillate
 function [e, de, w, dw, z, dz] = of_poles (who, m, t, x, v, dx, dv, names)
-  [~, free] = gs.linear.loop_tangent (who, m, t, x, "auto", zeros (0, 2));
+  [~, free] = gs.linear.loop_tangent (who, m, t, x, []);
   reduced = @(m, x, v) m.jac (t, x, v)(free,:) ...
-                       * gs.linear.loop_tangent (who, m, t, x, free, zeros (0, 2));
+                       * gs.linear.loop_tangent (who, m, t, x, free);
   [V, e, W] = eig (reduced (m, x, v), "vector");
   [~, order] = sort (abs (e));
   [V, e, W] = deal (V(:,order), e(order), W(:,order));

@@ -81,147 +81,72 @@ function r = gsmbp_trim (m, x, v, varargin)
            "tolerance", 1e-9, "tolerance"
            "margins", "check", {"check", "ignore"}};
   o = gs.given.call_options ("gsmbp_trim", table, varargin);
-  p = gs.linear.rest_problem (m, x, v, o);
-  check_rest (p, p.z);
-  check_derivatives (p, p.z);
-  [z, way] = gs.linear.rest_solve (p);
-  check_rest (p, z);
-  if (! (gs.linear.rest_worst (p, z) <= 1))
-    gs.linear.rest_refuse (p, z);
+  [x, v] = guess (m, x, v, o);
+  at = gs.linear.state_place (m, o.time, x, v);
+  asked = what_is_asked (m, o);
+  [verdict, text, x, v, residual, way, running, moved, later] = m.module ("trim", at{:}, asked{:});
+  gs.linear.heed_verdict ("gsmbp_trim", m, verdict, text);
+  if (! isempty (later))
+    warning ("gsmbp:trim", "gsmbp_trim: %s: %s", m.name, later);
   endif
-  check_derivatives (p, z);
-  free = spaces (p, z);
-  [p, z] = nearest (p, z, free);
-  check_time (p, z);
-  r = result (p, z, way);
+  r = result (m, o.time, x, v);
+  [r.residual, r.way] = deal (residual, {"newton", "levenberg", "transient"}{way});
+  r.running = m.coordinates(running)(:)';
   r.unique = m.unique.multipliers';
-  if (strcmp (o.margins, "check"))
-    check_margins (p, r);
+  r.indifferent = [m.states(:); m.inputs(:)](moved)(:)';
+endfunction
+
+## the guess: all states and inputs
+function [x, v] = guess (m, x, v, o)
+  d = m.sizes;
+  if (! any (strcmp (m.subroutines, "jac")))
+    gs.given.need_jacobian ("gsmbp_trim", m);
   endif
-  r.indifferent = unknowns (p)(max (abs (free), [], 2) > 1e-6)(:)';
-endfunction
-
-## where the equilibrium does not stand alone: the one with as many unknowns as can be left as
-## in the guess: states that nothing drives (an integrator without gain), then coordinates
-function [p, z] = nearest (p, z, free)
-  keep = [];
-  first = undriven (p, z);
-  for k = [first, setdiff(1:rows (free), first)]
-    if (rank (free([keep, k],:), 1e-6) > numel (keep))
-      keep(end+1) = k;
-    endif
-  endfor
-  if (isempty (keep))
-    return;
+  x = gs.given.given_guess ("gsmbp_trim", m, "x", x, m.initial(d.nq + 1:d.nx));
+  if (isempty (v))
+    v = zeros (d.nv, 1);
   endif
-  q = p;
-  q.fixed = keep;
-  y = gs.linear.rest_newton (q, merge (ismember ((1:numel (z))', keep), p.z, z));
-  if (gs.linear.rest_worst (p, y) <= 1)
-    [p, z] = deal (q, y);
+  named = sprintf (" (the inputs %s)", strjoin (m.inputs', ", "));
+  v = gs.given.given_vector ("gsmbp_trim", "v", v, d.nv, named, m.inputs);
+endfunction
+
+## held states, free inputs and speeds, what runs, margins, tolerance: as do_trim takes them
+function asked = what_is_asked (m, o)
+  [d, who] = deal (m.sizes, "gsmbp_trim");
+  held = places (who, o.hold, m.states, "hold", "a state");
+  gs.given.refuse_mode_names (who, "option free", m, gs.given.asked_names (o.free));
+  steady = ! isempty (o.steady);
+  pairs = zeros (2, 0);
+  if (steady)
+    k = places (who, o.free, [m.inputs(:); m.speeds(:)], "free", "an input or a speed");
+    for name = cellstr (o.steady)(:)'
+      pairs(:,end+1) = gs.given.speed_and_value (who, m, "steady", name{1});
+    endfor
+  else
+    k = places (who, o.free, m.inputs, "free", "an input");
+  endif
+  asked = {held, k(k <= d.nv), d.nq + k(k > d.nv) - d.nv, steady, pairs, ...
+           strcmp(o.margins, "check"), o.tolerance};
+endfunction
+
+function k = places (who, names, all_names, option, what)
+  names = gs.given.asked_names (names)';
+  k = gs.given.places_of (names, all_names);
+  if (! all (k))
+    error ("%s: option \"%s\": expected the name of %s, found %s", who, option, what,
+           gs.text.nearest_word (names{find (! k, 1)}, all_names));
   endif
 endfunction
 
-## unknowns that are states of devices whose rates depend on nothing that may change
-function k = undriven (p, z)
-  [~, J] = gs.linear.rest_equations (p, z);
-  own = p.own(:)';
-  device = find (own > p.m.sizes.nq + p.m.sizes.nu);
-  [~, row] = ismember (own(device), p.rows);
-  k = device(! any (J(row,:), 2)');
-endfunction
-
-## what Newton's method needs
-function check_derivatives (p, z)
-  [~, J] = gs.linear.rest_equations (p, z);
-  gs.given.need_derivatives ([p.who, ": ", p.m.name], J, gs.text.rest_names (p), unknowns (p));
-endfunction
-
-## with all speeds zero no constraint may move, nor begin to
-function check_rest (p, z)
-  d = p.m.sizes;
-  if (d.nlam == 0 || ! isempty (p.steady))
-    return;
-  endif
-  x = gs.linear.rest_state (p, z);
-  [~, phit, ~, gam, ~] = p.m.con (p.t, x(1:d.nq), zeros (d.nu, 1));
-  for found = {phit, -gam; "moves at %g", "starts with an acceleration of %g"; "/s", "/s^2"}
-    k = find (! (abs (found{1}) <= p.tolerance), 1);
-    if (! isempty (k))
-      rate = sprintf ([found{2} "%s%s"], found{1}(k), gs.text.constraint_unit (p.m, k), found{3});
-      error (["%s: %s: no state at rest at t = %g s: with all speeds zero the constraint %s " ...
-              "%s, " ...
-              "it is driven with time; take a time at which it rests (option \"time\"), or let " ...
-              "the driven coordinate run on (option \"steady\")"],
-             p.who, p.m.name, p.t, p.m.multipliers{k}, rate);
-    endif
-  endfor
-endfunction
-
-## no device may be where its laws do not hold
-function check_margins (p, r)
-  list = gs.start.range_margins (p.m, p.t, r.x', r.v');
-  if (isempty (list))
-    return;
-  endif
-  error ("gsmbp:margin",
-         ["%s: %s: an equilibrium was found, but a device cannot be there: %s; try another " ...
-          "guess, or take it as it is: \"margins\", \"ignore\""],
-         p.who, p.m.name, strjoin ({list.said}, "; "));
-endfunction
-
-## the same state some other times
-function check_time (p, z)
-  if (! isempty (p.steady))
-    gs.linear.steady_check (p, z);
-    return;
-  endif
-  [f, J] = gs.linear.rest_equations (p, z);
-  limit = max (p.tolerance * p.usual, 1e3 * eps * (abs (J) * max (abs (z), p.size)));
-  for later = [0.618, 3.7, 19.1]
-    k = find (! (abs (gs.linear.rest_equations (p, z, p.t + later)) <= 10 * limit), 1);
-    if (! isempty (k))
-      names = gs.text.rest_names (p);
-      warning ("gsmbp:trim", "%s: %s: an equilibrium at t = %g s alone: %s changes with time",
-               p.who, p.m.name, p.t, names{k});
-      return;
-    endif
-  endfor
-endfunction
-
-function r = result (p, z, way)
-  [m, d] = deal (p.m, p.m.sizes);
-  [x, v] = gs.linear.rest_state (p, z);
-  xd = m.rhs (p.t, x, v);
-  f = gs.linear.rest_equations (p, z);
+function r = result (m, t, x, v)
+  d = m.sizes;
+  xd = m.rhs (t, x, v);
   r = struct ("x", x, "v", v, "ud", xd(d.nq + (1:d.nu)), "lambda", zeros (0, 1), ...
-              "phi", zeros (0, 1), "residual", max ([abs(f) ./ p.usual; 0]), "way", way, ...
-              "running", {names_of(p, xd)});
+              "phi", zeros (0, 1));
   if (d.nlam > 0)
-    [~, r.lambda] = m.acc (p.t, x, v);
-    r.phi = m.con (p.t, x(1:d.nq), zeros (d.nu, 1));
+    [~, r.lambda] = m.acc (t, x, v);
+    r.phi = m.con (t, x(1:d.nq), zeros (d.nu, 1));
   endif
-endfunction
-
-## coordinates that run
-function names = names_of (p, xd)
-  k = p.running;
-  names = p.m.coordinates(k(abs (xd(k)) > 1e-12 * p.m.nominal(k)))(:)';
-endfunction
-
-## what can be moved without effect on the equations: an orthonormal basis, in units of the
-## usual sizes
-function free = spaces (p, z)
-  [~, J] = gs.linear.rest_equations (p, z);
-  row = abs (J) * p.size;
-  row(! (row > 1e-20 * max ([row; 0]))) = 1;   # a row of noise is none
-  [~, S, V] = svd (J .* p.size' ./ row);
-  s = diag (S)(1:min (size (S)));
-  free = V(:,sum (s > 1e-12 * max ([s; realmin])) + 1:end);
-endfunction
-
-function names = unknowns (p)
-  names = [p.m.states(p.own)(:); p.m.inputs(p.inputs)(:)];
 endfunction
 
 %!test

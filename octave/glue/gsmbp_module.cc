@@ -12,6 +12,8 @@
 #include "ensemble.h"
 #include "job.h"
 #include "adjoint.h"
+#include "linear.h"
+#include "reach.h"
 #include "collocation.h"
 
 static bool the_interrupt_is_old = false;   // a run ended by it
@@ -61,6 +63,9 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "statistics", do_statistics },
         { "forward", do_forward },
         { "backward", do_backward },
+        { "linear", do_linear }, { "trim", do_trim },
+        { "tangent", do_tangent }, { "modes", do_modes },
+        { "choose", do_choose }, { "free", do_free },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
         { "program", do_program },

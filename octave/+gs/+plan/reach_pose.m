@@ -45,29 +45,16 @@ function one = by_formula (who, m, job, P, R, k, before, one)
     all_(places,:) = repmat (job.given(:,k), 1, ns);
   endif
   one.solutions = all_;
-  near = nearest_turns (all_, before, job);
-  good = find (all (near >= job.limits(:,1) & near <= job.limits(:,2), 1) ...
-               & (job.branch == 0 | br(1:ns)' == job.branch));
-  if (isempty (good))
+  [q, i] = m.module ("choose", all_, before, job.turns, job.limits, br(1:ns), job.branch);
+  if (i == 0)
     one.status = "limits";
     return;
   endif
-  [~, i] = min (sumsq (near(:,good) - before, 1));
-  one.q = near(:,good(i));
-  one.branch = br(good(i));
+  one.q = q;
+  one.branch = br(i);
 endfunction
 
-## angles by whole turns as close to those before as the limits allow
-function q = nearest_turns (q, before, job)
-  t = 2 * pi;
-  j = job.turns;
-  q(j,:) -= t * round ((q(j,:) - before(j)) / t);
-  q(j,:) += t * ceil (max (job.limits(j,1) - q(j,:) - 1e-12, 0) / t);
-  q(j,:) -= t * ceil (max (q(j,:) - job.limits(j,2) - 1e-12, 0) / t);
-endfunction
-
-## a speed that does not move the tool, where rows of its Jacobian depend on each other: to 3e-8,
-## the square root of rounding errors, to which a double solution is known (as GSIGS)
+## a speed that does not move the tool, where it is singular (host/reach/reach.h)
 function one = with_free (m, job, one)
   n = m.sizes.nu;
   J = m.jpt (job.time, one.q, zeros (n, 1))(1:3+3*job.whole,n*(job.tool-1)+1:n*job.tool);
@@ -75,12 +62,8 @@ function one = with_free (m, job, one)
     [~, ~, H] = m.con (job.time, one.q);
     J = [J; H];
   endif
-  [~, s, V] = svd (J);
-  s = diag (s);
-  if (min (s) < 3e-8 * max (s) && rows (J) >= n)
+  [singular, one.free] = m.module ("free", J, strcmp (one.status, "singular"));
+  if (singular)
     one.status = "singular";
-    one.free = V(:,end);
-  elseif (strcmp (one.status, "singular"))
-    one.free = V(:,min (n, numel (s)));
   endif
 endfunction

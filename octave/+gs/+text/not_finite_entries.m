@@ -11,8 +11,5 @@ function text = not_finite_entries (J, rows, columns)
   if (isempty (i))
     return;
   endif
-  text = sprintf (["the derivative of the %s by %s is not finite at this state (do two " ...
-                   "points of a spring, damper or cylinder coincide, does an expression " ...
-                   "divide by 0 or take its root?); expected a state next to it"], ...
-                  rows{i}, columns{j});
+  text = gs.text.refusal_text ("no_derivative", rows{i}, columns{j});
 endfunction

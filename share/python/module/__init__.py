@@ -5,6 +5,10 @@
     m.simulate(x0, times)         m.linearize(t, x, v), m.inverse(motion, times)
     m.ensemble(times, parameters={'l1': [0.3, 0.4]})   many runs on threads
     m.adjoint(x0, times, goal)    derivatives of goals of a run, backwards
+    m.linear(t, x, v)             a linear model in independent states
+    m.trim(x, v)                  an equilibrium or a steady motion
+    m.modes(x)                    small vibrations
+    m.reach(name, P, R)           inverse kinematics
     m.states, m.units, ...        names and units
 
 All numbers are in SI units. An argument may have one more dimension, of k states, at its end.
@@ -12,12 +16,17 @@ All numbers are in SI units. An argument may have one more dimension, of k state
 from ._adjoint import Adjoint
 from ._ensemble import Ensemble
 from ._library import DependentWarning, Error, TABLE as table
+from ._linear import LinearModel
 from ._model import Model
+from ._modes import Modes
 from ._motion import Piecewise, plan, table as table_of
+from ._reach import Reach
 from ._run import Result, RunWarning
+from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'Piecewise', 'plan', 'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Reach', 'Piecewise', 'plan', 'table_of', 'table']
 __version__ = table['gsmbp_version']
-for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, Piecewise):
+for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
+             Trim, Modes, Reach, Piecewise):
     _one.__module__ = __name__

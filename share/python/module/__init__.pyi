@@ -1,4 +1,5 @@
-from typing import Any, Callable, Literal, Mapping, NamedTuple, Optional, TypedDict, Union
+from typing import (Any, Callable, Literal, Mapping, NamedTuple, Optional, Sequence, TypedDict,
+                    Union)
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +33,47 @@ class Linear(NamedTuple):
     b: Real
     c: Real
     d: Real
+
+class LinearModel(NamedTuple):
+    a: Real
+    b: Real
+    c: Real
+    d: Real
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    tangent: Real
+    independent: NDArray[np.int64]
+    dropped: tuple[str, ...]
+
+class Trim(NamedTuple):
+    x: Real
+    v: Real
+    ud: Real
+    lam: Optional[Real]
+    phi: Real
+    residual: float
+    way: str
+    running: tuple[str, ...]
+    indifferent: tuple[str, ...]
+    unique: NDArray[np.bool_]
+
+class Modes(NamedTuple):
+    frequency: Real
+    damping: Real
+    shapes: NDArray[np.complex128]
+    eigenvalues: NDArray[np.complex128]
+    real: Real
+    rigid: int
+    x: Real
+
+class Reach(NamedTuple):
+    q: Real
+    status: tuple[str, ...]
+    distance: Real
+    branch: NDArray[np.int64]
+    solutions: tuple[Real, ...]
+    free: Real
 
 class Inverse(NamedTuple):
     t: Real
@@ -114,6 +156,22 @@ class Model(Routines):
     def changed(self, /, **parameters: float) -> Model: ...
     def kept(self, name: str) -> Any: ...
     def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
+    def linear(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+               reduced: Union[str, Sequence[str]] = 'auto',
+               drop: Union[str, Sequence[str]] = (),
+               start: Literal['check', 'project'] = 'check') -> LinearModel: ...
+    def trim(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+             hold: Union[str, Sequence[str]] = (), free: Union[str, Sequence[str]] = (),
+             steady: Union[str, Sequence[str]] = (), time: float = 0.0, tolerance: float = 1e-9,
+             margins: Literal['check', 'ignore'] = 'check') -> Trim: ...
+    def modes(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+              hold: Union[str, Sequence[str]] = (), steady: bool = False, time: float = 0.0,
+              start: Literal['check', 'project'] = 'check') -> Modes: ...
+    def reach(self, name: str, P: ArrayLike, R: Optional[ArrayLike] = None, *,
+              start: Optional[ArrayLike] = None, branch: int = 0,
+              limits: Optional[ArrayLike] = None,
+              method: Literal['auto', 'closed', 'newton'] = 'auto',
+              given: Optional[ArrayLike] = None, time: float = 0.0) -> Reach: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

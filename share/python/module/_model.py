@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import _adjoint, _checks, _ensemble, _inverse, _run, _start
+from . import _adjoint, _checks, _ensemble, _inverse, _linear, _modes, _reach, _run, _start, _trim
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -135,6 +135,10 @@ class Model(Routines):
     ensemble = explained(_ensemble.ensemble)
     adjoint = explained(_adjoint.adjoint)
     inverse = explained(_inverse.inverse)
+    linear = explained(_linear.linear)
+    trim = explained(_trim.trim)
+    modes = explained(_modes.modes)
+    reach = explained(_reach.reach)
 
 
 def _again(parameters):

@@ -1,4 +1,5 @@
-"""The structures of host/run/run.h, by which a run goes to the engine and comes back."""
+"""The structures of host/run/run.h and host/linear/linear.h, by which a run or a linear model goes
+to the engine and comes back."""
 import ctypes
 
 import numpy as np
@@ -90,7 +91,7 @@ class Results(_Structure):
         'said')] + [('no_memory', _INT)]
 
 
-class _Taken(ctypes.Structure):
+class Taken(_Structure):
     """gs_start."""
 
     _fields_ = [('verdict', _INT), ('residual', _REAL), ('moved', _REAL), ('state', _INT),
@@ -103,7 +104,7 @@ class Result(_Structure):
     OPTION, ROUTINE, START, MODE, SAMPLES, COLUMNS = range(1, 7)
     _fields_ = [('refused', _INT), ('info', _INT), ('option', _TEXT),
                 ('text', ctypes.c_char * 2400), ('warning', ctypes.c_char * 400),
-                ('start', _Taken), ('method', _TEXT),
+                ('start', Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
                 ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
@@ -124,9 +125,83 @@ class Result(_Structure):
         return dict(zip(COUNTS + VALUES, [*self.istat, *self.rstat]))
 
 
+class Place(_Structure):
+    """gs_linear_place of host/linear/linear.h."""
+
+    _fields_ = [('t', _REAL), *((name, _AT) for name in (
+        'cst', 'x', 'v', 'inputs', 'units', 'constraints'))]
+
+    def put_texts(self, name, texts):
+        self.keep(name, (_TEXT * (len(texts) + 1))(*[text.encode() for text in texts]))
+
+
+class Asked(_Structure):
+    """gs_linear_asked of the same."""
+
+    NAMED, AUTO, NONE = range(3)
+    _fields_ = [('reduced', _INT), ('nwanted', _INT), ('wanted', _AT), ('running', _INT),
+                ('ndrop', _INT), ('drop', _AT)]
+
+
+class Linear(_Structure):
+    """gs_linear_model of the same."""
+
+    _fields_ = [('n', _INT), ('m', _INT), ('ndropped', _INT), *((name, _AT) for name in (
+        'independent', 'dropped', 'seen', 'a', 'b', 'c', 'd', 'tangent')),
+                ('row', _INT), ('column', _INT)]
+
+
+class Told(_Structure):
+    """gs_linear_told of the same."""
+
+    FOUND, NO_MEMORY, ABSENT, FAILED, DERIVATIVE, MARGIN, REFUSED = range(7)
+    _fields_ = [('verdict', _INT), ('info', _INT), ('routine', _TEXT),
+                ('text', ctypes.c_char * 2400)]
+
+
+class TrimAsked(_Structure):
+    """gs_trim_asked of the same."""
+
+    _fields_ = [('nhold', _INT), ('ninputs', _INT), ('nspeeds', _INT), ('hold', _AT),
+                ('inputs', _AT), ('speeds', _AT), ('steady', _INT), ('nrunning', _INT),
+                ('running', _AT), ('nmodes', _INT), ('modes', _AT), ('margins', _INT),
+                ('tolerance', _REAL), ('par', _AT)]
+
+
+class TrimFound(_Structure):
+    """gs_trim_found of the same."""
+
+    _fields_ = [('x', _AT), ('v', _AT), ('residual', _REAL), ('way', _INT), ('running', _AT),
+                ('indifferent', _AT), ('warning', ctypes.c_char * 400)]
+
+
+class VibrationsAsked(_Structure):
+    """gs_vibrations_asked of the same."""
+
+    _fields_ = [('steady', _INT), ('nheld', _INT), ('held', _AT)]
+
+
+class Vibrations(_Structure):
+    """gs_vibrations of the same."""
+
+    _fields_ = [('n', _INT), ('nfelt', _INT), *((name, _AT) for name in (
+        'independent', 'felt', 'x', 'a', 'square', 'tangent')), ('doubt', ctypes.c_char * 300)]
+
+
+class Modes(_Structure):
+    """gs_modes of the same."""
+
+    _fields_ = [('n', _INT), ('nreal', _INT), ('rigid', _INT), *((name, _AT) for name in (
+        'eigenvalues', 'frequency', 'damping', 'shapes', 'real'))]
+
+
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
 for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
+for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound,
+                             VibrationsAsked, Vibrations, Modes)):
+    if LIBRARY.gs_loop_linear_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
+        raise ImportError('%s: the library was built with another linear.h' % NAME)

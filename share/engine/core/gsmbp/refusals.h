@@ -54,6 +54,9 @@
   ROW (limits_order, "of %s the lower limit must be below the upper one; found %g and %g")         \
   ROW (period, "%s: expected a period > 0 and a delay >= 0, found %g s and %g s")                  \
   ROW (too_many_samples, "%s: expected at most 2e9 samples before the start, found more")          \
+  ROW (no_derivative, "the derivative of the %s by %s is not finite at this state (do two points " \
+       "of a spring, damper or cylinder coincide, does an expression divide by 0 or take its "     \
+       "root?); expected a state next to it")                                                      \
   ROW (memory, "expected %d finite numbers, found %s")
 
 #define GS_REFUSAL_MEMBER(name, text) const char *name;

@@ -1,0 +1,15 @@
+/* reach.c: the choice among solutions of inverse kinematics for the module. */
+#include "host/reach/reach.h"
+
+int
+gs_loop_choose (int nq, const int *turns, const double *limits, const double *before, int n,
+                double *q, const int *branches, int branch)
+{
+  return gs_reach_choose (&(gs_reach_choice){ nq, turns, limits, before }, n, q, branches, branch);
+}
+
+int
+gs_loop_free (int m, int n, const double *jacobian, int singular, double *speed)
+{
+  return gs_reach_free (m, n, jacobian, singular, speed);
+}

@@ -1,0 +1,204 @@
+"""Linear models, equilibria, steady motions and modes of modules beside those of Octave: an arm, a
+four-bar, a motor, a hydraulic cylinder, a disc that rolls, a bead on a disc that spins, a free
+body in Euler parameters; closed forms; refusals.
+
+python3 linear.py FILE: of linear.m; the modules that it imports must be installed."""
+import importlib
+import inspect
+import json
+import sys
+import warnings
+
+import numpy as np
+
+from checks import close, holds, refuses
+
+
+def matrix(part):
+    """A matrix of Octave; null in JSON is NaN."""
+    return np.reshape(np.array(part['numbers'], float), np.atleast_1d(part['size']).astype(int),
+                      order='F')
+
+
+def listed(names):
+    return tuple([names] if isinstance(names, str) else names)
+
+
+def beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    r = m.linear(0, one['x'], np.atleast_1d(one['v']) if np.size(one['v']) else None, **options)
+    what = '%s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': states, outputs, what is dropped', (
+        r.states == listed(one['states']) and r.outputs == listed(one['outputs'])
+        and r.dropped == listed(one['dropped'])
+        and r.independent.tolist() == np.atleast_1d(one['independent']).tolist()))
+    for part in ('a', 'b', 'c', 'd', 'tangent'):
+        wanted = matrix(one[part])
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(getattr(r, part) / size, 0),
+              np.append(wanted / size, 0), 1e-13)
+
+
+def trim_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    r = m.trim(one['guess'], **options)
+    what = 'trim of %s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': way, what runs, what can be moved', (
+        r.way == one['way'] and r.running == listed(one['running'])
+        and r.indifferent == listed(one['indifferent'])
+        and r.unique.tolist() == [bool(k) for k in np.atleast_1d(one['unique'])]))
+    for part, found in (('x', r.x), ('v', r.v), ('lambda', r.lam)):
+        wanted = np.atleast_1d(np.array(one[part], float))
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
+              1e-11)
+    rates = m.rhs(0, r.x, r.v)[m.sizes['nq']:]
+    holds(what + ': nothing is accelerated', r.running
+          or np.abs(rates / m.nominal[m.sizes['nq']:]).max() < 1e-7)
+
+
+def modes_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        r = m.modes(one['guess'], np.atleast_1d(one['inputs']) if np.size(one['inputs']) else None,
+                    **options)
+    what = 'modes of %s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': how many', r.rigid == one['rigid'] and r.frequency.size + r.real.size > 0)
+    for part in ('x', 'frequency', 'damping', 'real', 'eigenvalues', 'shapes'):
+        wanted = one[part]
+        if isinstance(wanted, dict):
+            wanted = np.array(wanted['re'], float) + 1j * np.array(wanted['im'], float)
+        wanted = np.ravel(np.array(wanted, complex))
+        found = getattr(r, part).ravel(order='F')
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
+              1e-9)
+
+
+def reach_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    if 'given' in options:
+        options['given'] = [options['given']]
+    R = matrix(one['R']) if np.size(one['R']['numbers']) else None
+    r = m.reach(one['name'], matrix(one['P']), R, **options)
+    what = 'reach of %s, %s beside Octave' % (name, ', '.join(options))
+    holds(what + ': status, branches, how many solutions', (
+        r.status == listed(one['status'])
+        and r.branch.tolist() == np.atleast_1d(one['branch']).tolist()
+        and [s.shape[1] for s in r.solutions] == np.atleast_1d(one['solutions']).tolist()))
+    for part, found in (('q', r.q), ('distance', r.distance), ('free', np.abs(r.free))):
+        wanted = matrix(one[part])
+        holds(what + ': %s is known where it is' % part,
+              (np.isnan(found) == np.isnan(wanted)).all())
+        close('%s: %s' % (what, part), np.nan_to_num(found), np.nan_to_num(wanted), 1e-9)
+    for k, q in enumerate(r.q.T):
+        if np.isfinite(q).all():
+            close(what + ': the tool is there', np.ravel(m.pnt(0, q)[0])[:3],
+                  matrix(one['P'])[:, k], 1e-9)
+
+
+def shapes():
+    import case_03a
+    m = case_03a.Model()
+    x = np.array(m.simulate(m.initial, [0, 0.1], start='project').x[:, -1])
+    r, h = m.linear(0, x), 1e-6
+    ends = [m.rhs(0, x[:, None] + s * h * r.tangent)[r.independent] for s in (1, -1)]
+    close('four-bar: its rates along the tangent beside differences', r.a,
+          (ends[0] - ends[1]) / (2 * h), 1e-7 * np.abs(r.a).max())
+    signature = str(inspect.signature(m.linear))
+    holds('inspect knows the arguments of linear', signature == (
+        "(t, x, v=None, *, reduced='auto', drop=(), start='check')"))
+    holds('linear has a help text', 'gsmbp_linear' in m.linear.__doc__)
+    signature = str(inspect.signature(m.trim))
+    holds('inspect knows the arguments of trim', signature == (
+        "(x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e-09, "
+        "margins='check')"))
+    signature = str(inspect.signature(m.modes))
+    holds('inspect knows the arguments of modes', signature == (
+        "(x, v=None, *, hold=(), steady=False, time=0.0, start='check')"))
+
+
+def pendulum():
+    """The arm hanging down, its elbow held: a compound pendulum."""
+    import control_arm
+    m = control_arm.Model()
+    p = m.parameters
+    length = p['l1'] + p['l2'] / 2
+    inertia = (p['m1'] * p['l1'] ** 2 / 3 + p['m2'] * (p['l2'] ** 2 / 12 + length ** 2))
+    torque = p['g'] * (p['m1'] * p['l1'] / 2 + p['m2'] * length)
+    r = m.modes([-np.pi / 2, 0], hold='q2')
+    close('arm, elbow held: frequency', r.frequency, np.sqrt(torque / inertia), 1e-12)
+    close('arm, elbow held: damping', r.damping * 2 * r.frequency * inertia, p['d'], 1e-12)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter('always')
+        m.modes([0, 0])
+    holds('no equilibrium is a warning', 'found q1_d with an acceleration of -' in str(
+        told[0].message) and 'rad/s^2' in str(told[0].message))
+
+
+def refused():
+    import case_03a
+    import control_arm
+    m, arm = case_03a.Model(), control_arm.Model()
+    x = m.initial
+    refuses('a state off the constraints', ValueError, ['linear', 'on the constraints', 'project'],
+            m.linear, 0, x + 0.1)
+    refuses('an unknown option', TypeError, ['linear: argument reduce ', 'did you mean reduced'],
+            m.linear, 0, x, reduce='auto')
+    refuses('an unknown state', ValueError, ['reduced: expected', 'found', 'did you mean'],
+            m.linear, 0, x, reduced='tetha', start='project')
+    refuses('too many independent states', ValueError, ['do not determine the motion here'],
+            m.linear, 0, x, reduced=list(m.coordinates), start='project')
+    refuses('a part of the coordinates of a tree', ValueError, ['without constraints all', 'q2'],
+            arm.linear, 0, arm.initial, reduced='q1')
+    refuses('a coordinate on which something depends', ValueError,
+            ['q1 cannot be dropped: the rate of q1_d depends on it'],
+            arm.linear, 0, [0.4, -0.7, 0, 0], drop='q1')
+    refuses('a coordinate that is none', ValueError, ['drop: expected "running"', "'q3'"],
+            arm.linear, 0, arm.initial, drop=['q3'])
+    refuses('a state that is too short', ValueError, ['x: expected 4 numbers'],
+            arm.linear, 0, arm.initial[:3])
+    refuses('an equilibrium that is none', ArithmeticError,
+            ['no equilibrium found near the guess', 'acceleration of q1_d = -', 'rad/s^2',
+             'these inputs act on it: t1, t2, push'],
+            arm.trim, [0.4, -0.7], hold=['q1', 'q2'])
+    refuses('an input that is none', ValueError,
+            ["free: expected the name of an input; found 'T1'; did you mean t1"],
+            arm.trim, x[:2], free='T1')
+    refuses('names that are none', ValueError, ['hold: expected names; found 1'],
+            arm.trim, x[:2], hold=1)
+    refuses('a tolerance that is none', ValueError, ['tolerance: expected', '2'],
+            arm.trim, x[:2], tolerance=2)
+
+    import reach_puma
+    import reach_crank
+    m = reach_puma.Model()
+    refuses('a tool that is none', ValueError, ["unknown point 'tol'; did you mean tool"],
+            m.reach, 'tol', [0, 0, 0])
+    refuses('axes that are no rotation', ValueError, ['axes of pose 0', 'rotation matrix', 'det 8'],
+            m.reach, 'tool', [0.3, 0, 0.5], 2 * np.eye(3))
+    refuses('places of another shape', ValueError, ['P: expected places', '(2,)'],
+            m.reach, 'tool', [0, 0])
+    refuses('a branch that is none', ValueError, ['branch: expected one of the 8 branches', '9'],
+            m.reach, 'tool', [0.3, 0, 0.5], np.eye(3), branch=9)
+    refuses('axes of a point', ValueError, ['pin is a point, not a frame'],
+            reach_crank.Model().reach, 'pin', [0.3, 0, 0], np.eye(3))
+    refuses('an unknown option', TypeError, ['argument limit is unknown', 'did you mean limits'],
+            m.reach, 'tool', [0, 0, 0], limit=0)
+
+
+with open(sys.argv[1], encoding='utf-8') as file:
+    FOUND = json.load(file)
+for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
+                     ('modes', modes_beside_octave), ('reach', reach_beside_octave)):
+    for scene, models in FOUND[part].items():
+        for one in [models] if isinstance(models, dict) else models:
+            beside(scene, one)
+shapes()
+pendulum()
+refused()
