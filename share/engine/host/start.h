@@ -51,6 +51,9 @@ typedef struct gs_description
   int order;                        /* highest derivative of a planned motion that cmd reads */
   int nfollowed;
   const int *followed;              /* states of devices that inputs of a motion follow, from 1 */
+  int fortran_inputs;               /* 1: the data of scene->vin are a gs_fortran_inputs of each
+                                       run (host/fortran_scene.h) */
+  const struct gs_lane_routines *lanes; /* of ensembles (host/ensemble) */
 } gs_description;
 
 /* a start that is asked for */

@@ -138,6 +138,7 @@ typedef struct
   int *nevents;             /* n: how many */
   char **said;              /* n: texts of members that have one; null before, then of malloc */
   int no_memory;            /* 0 before; 1: something is missing */
+  int in_lanes;             /* of gs_run_rows: 1: they were in lanes */
 } gs_results;
 
 /* a gs_take_member whose argument is a gs_results */

@@ -45,7 +45,7 @@ gs_open_columns (gs_whole_run *w)
   int *sets = sets_from_one (w->d);
   const char *missing = NULL;
   const gs_derivatives_given given = {
-    .scene = w->d->scene, .cst = r->cst, .ncst = w->d->ncst, .nc = o->ncolumns,
+    .scene = &w->scene, .cst = r->cst, .ncst = w->d->ncst, .nc = o->ncolumns,
     .col = o->columns, .nsets = w->d->nsets, .sets = sets, .ip = r->ip, .rp = r->rp,
     .guess = w->w, .rtol = w->ropt[1], .atol = w->atol,
     .changes = o->changes

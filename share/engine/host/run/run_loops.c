@@ -6,15 +6,15 @@
 #include "gsmbp/options.h"
 #include "gsmbp/refusals.h"
 #include "host/run/run_parts.h"
+#include "host/text.h"
 
 #define ROW_NUMBER(word, number) { #word, number },
 static const struct { const char *word; int number; } ways[] = { GS_LOOP_METHODS (ROW_NUMBER) };
 
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* one that the scene lacks */
-static int
-lacks (gs_whole_run *w, int there, const char *routine)
+int
+gs_lacks (gs_whole_run *w, int there, const char *routine)
 {
   return ! there && gs_refuse (w->r, GS_REFUSED_ROUTINE, routine, "the run needs it");
 }
@@ -39,8 +39,8 @@ check_index2 (gs_whole_run *w)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.no_loops, s->name);
   if (strcmp (w->o->method, "radau") != 0 && strcmp (w->o->method, "auto") != 0)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.index2_method, w->o->method);
-  return lacks (w, s->mas != NULL, "mas") || lacks (w, s->con != NULL, "con")
-         || lacks (w, s->tan != NULL, "tan");
+  return gs_lacks (w, s->mas != NULL, "mas") || gs_lacks (w, s->con != NULL, "con")
+         || gs_lacks (w, s->tan != NULL, "tan");
 }
 
 static int
@@ -48,10 +48,10 @@ check_routines (gs_whole_run *w, int way)
 {
   const gs_scene *s = w->d->scene;
   const int euler = s->nq > s->nu, splits = way == 3 || way == 6;
-  const int projects = way > 1 && (way != 3 || euler);
-  return lacks (w, s->rhs != NULL, "rhs") || (splits && lacks (w, s->con != NULL, "con"))
-         || (splits && lacks (w, s->kin != NULL, "kin"))
-         || (projects && lacks (w, s->prj != NULL, "prj"));
+  const int projects = way > 1 && (way != 3 || euler || (s->nlam > 0 && w->by));
+  return gs_lacks (w, s->rhs != NULL, "rhs") || (splits && gs_lacks (w, s->con != NULL, "con"))
+         || (splits && gs_lacks (w, s->kin != NULL, "kin"))
+         || (projects && gs_lacks (w, s->prj != NULL, "prj"));
 }
 
 gs_real
@@ -61,6 +61,17 @@ gs_wanted_loop_method (const gs_whole_run *w)
   return way > 3 ? (gs_real)(way - 2) : 1;
 }
 
+/* a word that is none */
+static int
+refuse_word (gs_whole_run *w, const char *word)
+{
+  char all[200] = "";
+  gs_writer list = { all, (int)sizeof all, 0 };
+  for (int k = 0; k < WAYS; k++)
+    gs_put (&list, k > 0 ? ", %s" : "%s", ways[k].word);
+  return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.loops, all, word);
+}
+
 /* the constants with that parameter */
 static int
 set_loop_method (gs_whole_run *w)
@@ -68,6 +79,9 @@ set_loop_method (gs_whole_run *w)
   const gs_description *d = w->d;
   const double wanted = (double)gs_wanted_loop_method (w);
   memcpy (w->r->cst, w->s->cst, (size_t)d->ncst * sizeof (gs_real));
+  if (d->loop_method < 0 && wanted > 1)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.no_loop_method,
+                      d->scene->name);
   if (d->loop_method < 0 || ! w->s->par)
     return 0;
   const double found = w->s->par[d->loop_method];
@@ -93,7 +107,7 @@ gs_choose_loops (gs_whole_run *w)
   while (k < WAYS && strcmp (ways[k].word, word) != 0)
     k++;
   if (k == WAYS)
-    return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", "there is no way %s", word);
+    return refuse_word (w, word);
   w->index2 = strcmp (word, "index2") == 0;
   int way = ways[k].number;
   if (w->index2 && check_index2 (w))
@@ -107,7 +121,8 @@ gs_choose_loops (gs_whole_run *w)
   w->iopt[GS_ON_SPEEDS] = w->d->nspeedrows;
   for (int i = 0; i < w->d->nspeedrows; i++)
     w->iopt[GS_ON_SPEEDS + 1 + i] = w->d->speedrows[i];
-  if (w->o->drift > 0 && lacks (w, s->con != NULL, "con"))
+  if (w->o->drift > 0 && gs_lacks (w, s->con != NULL, "con"))
     return 1;
+  w->r->loop_method = (int)gs_wanted_loop_method (w);
   return check_routines (w, way) || set_loop_method (w);
 }

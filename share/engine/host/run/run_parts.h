@@ -2,7 +2,12 @@
 #ifndef GS_RUN_PARTS_H
 #define GS_RUN_PARTS_H
 
+#include "host/fortran_scene.h"
 #include "host/run/run.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* a run on its way */
 typedef struct
@@ -24,6 +29,9 @@ typedef struct
   int njumps;           /* all of them, */
   gs_real *jumps;       /* with those at its ends */
   gs_plan plan;
+  int pending;          /* places for outputs on their way that other runs by this plan need */
+  gs_scene scene;       /* as this run calls it, on its plan */
+  gs_fortran_inputs fortran;
   gs_real *w;           /* workspace, */
   int lw;
   char said[400];       /* by an implicit method that stopped */
@@ -38,6 +46,9 @@ int gs_choose_tolerances (gs_whole_run *w);
 int gs_choose_loops (gs_whole_run *w);      /* iopt, and r->cst */
 int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
 
+/* 1 where the routine is not there, and the run is refused for that */
+int gs_lacks (gs_whole_run *w, int there, const char *routine);
+
 /* the parameter loop_method as the way of the loops needs it */
 gs_real gs_wanted_loop_method (const gs_whole_run *w);
 
@@ -50,4 +61,8 @@ int gs_prepare_run (gs_whole_run *w);
 gs_integration gs_prepared_run (gs_whole_run *w);
 gs_implicit gs_prepared_implicit (gs_whole_run *w);
 void gs_forget_run (gs_whole_run *w);
+
+#ifdef __cplusplus
+}
+#endif
 #endif
