@@ -127,6 +127,10 @@ function o = options (who, m, given)
            "timeout", 0, "nonnegative"
            "start", "check", {"check", "project"}};
   given = gs.given.call_options (who, table, given);
+  if (is_function_handle (given.input) || ischar (given.input))
+    error ("%s: option input: expected constants or a piecewise polynomial, found %s", who, ...
+           gs.text.shown_value (given.input));
+  endif
   all_ = gs.run.option_table ();
   o = cell2struct (all_(:,2), all_(:,1), 1);
   for name = table(:,1)'

@@ -455,7 +455,7 @@ endfunction
 %!   assert (r.x(2,:), gsmbp_simulate (c, x0, [0 0.5], "rtol", 1e-13).x(2,:), 1e-7);
 %! endfor
 %!error <derive the scene again> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd")
-%!error <option loops: must be one of baumgarte>
+%!error <option loops must be one of baumgarte>
 %! gsmbp_simulate (c, c.initial, [0 1], "loops", "none")
 %!error <not both> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd", "projection", true)
 %!error <needs the subroutine PRJ> gsmbp_simulate (m, [0 0 0], [0 1], "projection", true)

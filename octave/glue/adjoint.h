@@ -37,9 +37,8 @@ take_record (gs_kept_steps& kept, const Matrix& counts, const Matrix& record)
   std::copy_n (record.data (), record.numel (), kept.numbers);
 }
 
-// (those of a run, t0 and the stops): a column for each step as
-// gs_kept_steps has it; the number of steps up to each stop; the state at each; INFO; the time that
-// was reached
+// (those of a run, t0 and the stops): a column for each step as gs_kept_steps has it; the number of
+// steps up to each stop; the state at each; INFO; the time that was reached
 static octave_value_list
 do_forward (arguments& a, int)
 {

@@ -28,8 +28,14 @@ public:
   }
 
   // SIZE numbers
-  const number *numbers (const char *name, int size) { return list (name, value (name), size, m_numbers); }
-  const int *wholes (const char *name, int size) { return list (name, value (name), size, m_wholes); }
+  const number *numbers (const char *name, int size)
+  {
+    return list (name, value (name), size, m_numbers);
+  }
+  const int *wholes (const char *name, int size)
+  {
+    return list (name, value (name), size, m_wholes);
+  }
   const double *doubles (const char *name, int size)
   {
 #if defined (GSMBP_QUAD)

@@ -148,8 +148,8 @@ do_ensemble (arguments& a, int)
   if (a.integer_within ("lanes", 0, 1) == 1)
     gsmbp_lanes (&lanes);
   asked.about.lanes = &lanes;
-  if (asked.options.ncolumns > 0 || asked.options.audit > 0)
-    error ("%s.ensemble: no derivatives, audits", S.name);
+  if (asked.calls_octave () || asked.options.ncolumns > 0 || asked.options.audit > 0)
+    error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   const gs_rows rows = given.rows ();
   ensemble_results r (rows.n, asked.start.nt);
   found_run found;

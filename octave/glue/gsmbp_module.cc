@@ -54,9 +54,9 @@ do_guarded (arguments& a, int nargout)
 
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
-    = { { "run", do_run }, { "prepare", do_prepare }, { "ensemble", do_ensemble }, { "job", do_job },
-        { "start", do_start }, { "settle", do_settle },
-        { "residuals", do_residuals }, { "worst", do_worst }, 
+    = { { "run", do_run }, { "prepare", do_prepare }, { "ensemble", do_ensemble },
+        { "job", do_job }, { "start", do_start }, { "settle", do_settle },
+        { "residuals", do_residuals }, { "worst", do_worst },
         { "wrong mode", do_wrong_mode }, { "passed margins", do_passed_margins },
         { "statistics", do_statistics },
         { "forward", do_forward },

@@ -34,14 +34,15 @@ told (const found_run& r)
   static const char *const words[]
       = { "", "option", "routine", "start", "mode", "samples", "columns" };
   octave_scalar_map m, start;
-  const bool lacks = r.refused == GS_REFUSED_ROUTINE;
+  // what the run itself needs is told as by its handle
+  const bool lacks = r.refused == GS_REFUSED_ROUTINE && std::strncmp (r.text, "the run", 7) == 0;
   const std::string option = r.refused ? r.option : "";
   start.assign ("residual", r.start.residual);
   start.assign ("row", r.start.row);
   start.assign ("moved", r.start.moved);
   start.assign ("verdict", r.start.verdict);
   start.assign ("state", r.start.state + 1);
-  m.assign ("refused", words[r.refused]);
+  m.assign ("refused", r.refused == GS_REFUSED_ROUTINE && ! lacks ? "need" : words[r.refused]);
   m.assign ("option", option == "vin" ? "input" : option);
   m.assign ("text", lacks ? why_absent (r.option) : std::string (r.text));
   m.assign ("warning", r.warning);

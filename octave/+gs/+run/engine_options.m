@@ -47,15 +47,22 @@ function word = way_of_loops (who, m, o)
   if (! isempty (o.projection))
     if (! isempty (word))
       error ("%s: give \"loops\" or \"projection\", not both", who);
-    elseif (o.projection && ! any (strcmp (m.subroutines, "prj")))
-      error (["%s: the way \"projection\" needs the subroutine PRJ, which %s was emitted " ...
-              "without"], who, m.name);
     endif
     word = {"baumgarte", "projection"}{1 + logical(o.projection)};
+    if (o.projection && ! any (strcmp (m.subroutines, "prj")))
+      error ("%s: %s", who, gs.text.refusal_text ("routine", sprintf ("the way \"%s\"", word), ...
+                                                  "PRJ", m.name));
+    endif
+    return;
   elseif (isempty (word))
     word = "";
-  elseif (! ischar (word))
-    word = gs.text.shown_value (word);   # the engine says which ones there are
+    return;
+  endif
+  table = gs.text.table_rows ("GS_LOOP_METHODS");
+  words = table(:,1)';
+  if (! (ischar (word) && any (strcmp (word, words))))
+    error ("%s: option loops %s", who, ...
+           gs.text.refusal_text ("loops", strjoin (words, ", "), gs.text.shown_value (word)));
   elseif (m.sizes.nlam == 0 && m.sizes.nq == m.sizes.nu && ! strcmp (word, "index2"))
     warning ("gsmbp:option", ["%s: option loops: %s is an open chain without constraints and " ...
                               "does not use it"], who, m.name);

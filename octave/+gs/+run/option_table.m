@@ -1,7 +1,7 @@
 ## table = gs.run.option_table ()
 ## Return the options of gsmbp_simulate (share/engine/core/gsmbp/options.h): name, default, kind.
-## The default NaN of rtol is that of the table; no user can give it, so that a tolerance that is not
-## used can be reported.
+## The default NaN of rtol is that of the table; no user can give it, so that a tolerance that is
+## not used can be reported.
 
 function table = option_table ()
   persistent made = read_table ();

@@ -16,6 +16,8 @@ function refuse_run (who, m, found)
       error ("gsmbp:absent", "%s.%s: %s", m.name, found.option, found.text);
     case "mode"
       error ("%s: %s: %s%s", who, m.name, option, found.text);
+    case "need"
+      error ("%s: %s", who, found.text);
     otherwise
       error ("%s: %s%s", who, option, found.text);
   endswitch

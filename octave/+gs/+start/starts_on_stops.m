@@ -1,7 +1,8 @@
 ## gs.start.starts_on_stops (who, p, x)
 ## An error where the run P (gs.run.plan_run), which carries derivatives, starts at rest on a stop
-## (variant event) that moves with one of its parameters while the start does not: the run of another
-## parameter would begin beside the stop, or beyond it.  X: the start with its derivatives behind it.
+## (variant event) that moves with one of its parameters while the start does not: the run of
+## another parameter would begin beside the stop, or beyond it.  X: the start with its derivatives
+## behind it.
 
 function starts_on_stops (who, p, x)
   [m, t, names, sizes] = deal (p.m, p.times(1), p.carried.names, p.carried.sizes);

@@ -106,7 +106,8 @@ class Result(_Structure):
                 ('start', _Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
-                ('loop_method', _INT), ('dv', _AT), ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
+                ('loop_method', _INT), ('dv', _AT), ('istat', _INT * len(COUNTS)),
+                ('rstat', _REAL * len(VALUES)),
                 *((name, _AT) for name in ('ip', 'rp', 'derivatives', 'room'))]
 
     def pointer(self, name):

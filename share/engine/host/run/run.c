@@ -100,7 +100,8 @@ lay_plan (gs_whole_run *w)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the plan");
   gs_lay (&w->plan, r->ip, r->rp);
   guess_motion (w);
-  if (w->in->kind == 2 && r->ip[GS_CLOSED] == 1 && gs_lacks (w, w->d->scene->clo != NULL, "clo"))
+  if (w->in->kind == 2 && r->ip[GS_CLOSED] == 1
+      && gs_lacks (w, w->d->scene->clo != NULL, "the run", "clo"))
     return 1;
   gs_start first;
   if (gs_check_samples (w->d, w->s->times[0], r->cst, r->ip, r->rp, &first) == GS_START_TAKEN)
@@ -282,8 +283,8 @@ gs_prepare_run (gs_whole_run *w)
   r->nx = d->scene->nx * (1 + w->o->ncolumns) + (audit ? 2 : 0);
   r->nt = w->s->nt;
   r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
-  if (audit && ! d->audited)
-    return gs_refuse (r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
+  if (audit && gs_lacks (w, d->audited != NULL, "option audit", "rha"))
+    return 1;
   return make_room (w) || gs_choose_method (w) || gs_choose_tolerances (w) || gs_choose_loops (w)
          || gs_lay_inputs (w) || lay_plan (w);
 }

@@ -1,5 +1,7 @@
 /* run_loops.c: how the constraints of a run are kept, and the routines that this needs. */
+#include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,9 +16,22 @@ static const struct { const char *word; int number; } ways[] = { GS_LOOP_METHODS
 enum { WAYS = sizeof ways / sizeof *ways };
 
 int
-gs_lacks (gs_whole_run *w, int there, const char *routine)
+gs_lacks (gs_whole_run *w, int there, const char *what, const char *routine)
 {
-  return ! there && gs_refuse (w->r, GS_REFUSED_ROUTINE, routine, "the run needs it");
+  char name[20] = "";
+  for (size_t k = 0; k + 1 < sizeof name && routine[k]; k++)
+    name[k] = (char)toupper ((unsigned char)routine[k]);
+  return ! there && gs_refuse (w->r, GS_REFUSED_ROUTINE, routine, gs_refusals.routine, what, name,
+                               w->d->scene->name);
+}
+
+/* ... that a way needs */
+static int
+way_lacks (gs_whole_run *w, int there, const char *way, const char *routine)
+{
+  char what[60];
+  snprintf (what, sizeof what, "the way \"%s\"", way);
+  return gs_lacks (w, there, what, routine);
 }
 
 /* the way where none is given: constraints and Euler parameters are projected where PRJ is there;
@@ -39,8 +54,9 @@ check_index2 (gs_whole_run *w)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.no_loops, s->name);
   if (strcmp (w->o->method, "radau") != 0 && strcmp (w->o->method, "auto") != 0)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.index2_method, w->o->method);
-  return gs_lacks (w, s->mas != NULL, "mas") || gs_lacks (w, s->con != NULL, "con")
-         || gs_lacks (w, s->tan != NULL, "tan");
+  return way_lacks (w, s->mas != NULL, "index2", "mas")
+         || way_lacks (w, s->con != NULL, "index2", "con")
+         || way_lacks (w, s->tan != NULL, "index2", "tan");
 }
 
 static int
@@ -49,9 +65,11 @@ check_routines (gs_whole_run *w, int way)
   const gs_scene *s = w->d->scene;
   const int euler = s->nq > s->nu, splits = way == 3 || way == 6;
   const int projects = way > 1 && (way != 3 || euler || (s->nlam > 0 && w->by));
-  return gs_lacks (w, s->rhs != NULL, "rhs") || (splits && gs_lacks (w, s->con != NULL, "con"))
-         || (splits && gs_lacks (w, s->kin != NULL, "kin"))
-         || (projects && gs_lacks (w, s->prj != NULL, "prj"));
+  const char *word = w->index2 ? "index2" : ways[way - 1].word;
+  return gs_lacks (w, s->rhs != NULL, "the run", "rhs")
+         || (splits && way_lacks (w, s->con != NULL, word, "con"))
+         || (splits && way_lacks (w, s->kin != NULL, word, "kin"))
+         || (projects && way_lacks (w, s->prj != NULL, word, "prj"));
 }
 
 gs_real
@@ -121,7 +139,7 @@ gs_choose_loops (gs_whole_run *w)
   w->iopt[GS_ON_SPEEDS] = w->d->nspeedrows;
   for (int i = 0; i < w->d->nspeedrows; i++)
     w->iopt[GS_ON_SPEEDS + 1 + i] = w->d->speedrows[i];
-  if (w->o->drift > 0 && gs_lacks (w, s->con != NULL, "con"))
+  if (w->o->drift > 0 && gs_lacks (w, s->con != NULL, "option drift", "con"))
     return 1;
   w->r->loop_method = (int)gs_wanted_loop_method (w);
   return check_routines (w, way) || set_loop_method (w);

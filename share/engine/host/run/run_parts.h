@@ -46,8 +46,8 @@ int gs_choose_tolerances (gs_whole_run *w);
 int gs_choose_loops (gs_whole_run *w);      /* iopt, and r->cst */
 int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
 
-/* 1 where the routine is not there, and the run is refused for that */
-int gs_lacks (gs_whole_run *w, int there, const char *routine);
+/* 1 where the routine that what needs is not there, and the run is refused for that */
+int gs_lacks (gs_whole_run *w, int there, const char *what, const char *routine);
 
 /* the parameter loop_method as the way of the loops needs it */
 gs_real gs_wanted_loop_method (const gs_whole_run *w);

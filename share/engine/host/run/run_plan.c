@@ -113,8 +113,9 @@ plan_samples (gs_whole_run *w)
   int fails = 0;
   if (n == 0)
     return 0;
-  if (gs_lacks (w, s->ctl != NULL, "ctl") || gs_lacks (w, s->ctp != NULL, "ctp")
-      || gs_lacks (w, s->ny == 0 || s->out, "out"))
+  if (gs_lacks (w, s->ctl != NULL, "the run", "ctl")
+      || gs_lacks (w, s->ctp != NULL, "the run", "ctp")
+      || gs_lacks (w, s->ny == 0 || s->out, "the run", "out"))
     return 1;
   gs_real *both = malloc (2 * (size_t)n * sizeof *both);
   double *period = malloc (2 * (size_t)n * sizeof *period);
@@ -138,7 +139,8 @@ plan_events (gs_whole_run *w)
   const gs_scene *s = w->d->scene;
   if (s->nev == 0)
     return 0;
-  if (gs_lacks (w, s->evt != NULL, "evt") || gs_lacks (w, s->rst != NULL, "rst"))
+  if (gs_lacks (w, s->evt != NULL, "the run", "evt")
+      || gs_lacks (w, s->rst != NULL, "the run", "rst"))
     return 1;
   w->plan.events = (int)gs_limits.recorded_events;
   w->plan.modes = w->s->modes;
@@ -150,12 +152,13 @@ gs_lay_inputs (gs_whole_run *w)
 {
   const gs_run_inputs *in = w->in;
   const gs_scene *s = w->d->scene;
-  if (in->kind == 2 && gs_lacks (w, s->cmd != NULL, "cmd"))
+  if (in->kind == 2 && gs_lacks (w, s->cmd != NULL, "the run", "cmd"))
     return 1;
-  if (in->kind == 3 && gs_lacks (w, in->function || s->vin, "vin"))
+  if (in->kind == 3 && gs_lacks (w, in->function || s->vin, "the run", "vin"))
     return 1;
   if (w->o->audit > 0 && in->gain.np > 0)
-    return gs_refuse (w->r, GS_REFUSED_OPTION, "audit", "no audit with state feedback from outside");
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "audit", "%s",
+                      "no audit with state feedback from outside");
   w->plan = (gs_plan){
     .s = s, .nx = w->r->nx, .inputs = in->kind, .derivatives = w->d->order,
     .constants = in->constants, .table = in->table, .motion = in->motion, .planned = in->planned,
