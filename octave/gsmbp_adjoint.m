@@ -137,7 +137,7 @@ function o = options (who, m, given)
     o.(name{1}) = given.(name{1});
   endfor
   o.sensitivity = m.json.sensitivity;
-  o.loops = "baumgarte";
+  o.projection = false;   # steps are those of equations with multipliers alone
 endfunction
 
 function cut_short (who, m, info, way, at)

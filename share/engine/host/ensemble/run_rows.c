@@ -76,7 +76,7 @@ gs_run_rows (const gs_description *d, const gs_run_options *o, const gs_run_star
       const gs_ensemble e = {
         .scene = d->scene, .about = d, .pre = d->pre, .npar = d->npar, .ncst = d->ncst,
         .wholes = (size_t)gs_wholes (&w.plan), .reals = (size_t)gs_reals (&w.plan),
-        .lanes = d->lanes, .fortran_inputs = d->fortran_inputs, .guess = w.w,
+        .lanes = d->lanes, .fortran_inputs = d->fortran_inputs,
         .check = ! o->project, .method = w.by, .implicit = &implicit, .run = gs_prepared_run (&w)
       };
       gs_rows all = *rows;
