@@ -61,19 +61,22 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
   gs.given.refuse_words (who, "x0", x0, "times", times);
   o = options (who, m, varargin);
   d = m.sizes;
-  times = gs.given.given_times (who, times);
-  [x0, ~] = gs.start.consistent_start (who, m, times(1), x0, o.start);
-  [rtol, atol] = gs.run.error_tolerances (who, m, o.rtol, o.atol, "dp853");
-  o.input = gs.run.whole_input (who, m, o.input, times(1), x0);
-  [plan, breaks] = gs.run.input_plan (who, o, m);
-  S0 = gs.linear.carried_columns (who, m, o, times(1), x0, atol);
-  breaks = [breaks, gs.run.switch_times(m)];
+  p = gs.run.plan_run (who, m, x0, times, o);
+  first = gs.run.prepare_run (who, p);
+  S0 = reshape (first.x(d.nx+1:end), d.nx, []);
+  run = setfield (p.given, "columns", []);   # the way forward has none
+  times = p.times;
+  o.input = gs.run.whole_input (who, m, o.input, times(1), first.x(1:d.nx));
+  breaks = gs.run.switch_times (m);
+  if (isstruct (o.input))
+    breaks = [breaks, o.input.breaks(2:end-1)];
+  endif
   stops = unique ([times(:)', breaks(breaks > times(1) & breaks < times(end))]);
   [~, at] = ismember (times(:)', stops);
   clock_ = tic ();
-  left = @() max (0, o.timeout - toc (clock_)) + (o.timeout > 0) * 1e-9;   # 0: no end
-  [record, counts, x, info, reached] = m.module ("forward", m.cst, plan, x0, stops', rtol, ...
-                                                 atol, left ());
+  left = @() setfield (run, "timeout", ...   # 0: no end
+                       max (0, o.timeout - toc (clock_)) + (o.timeout > 0) * 1e-9);
+  [record, counts, x, info, reached] = m.module ("forward", m.cst, left (), stops');
   a.seconds = toc (clock_);
   cut_short (who, m, info, "forward", reached);
   if (info != 0)
@@ -90,7 +93,7 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
     W = zeros (d.nx, numel (stops));
     W(:,at) = wx;
     begin = tic ();
-    [lx, pb, info, t] = m.module ("backward", m.cst, plan, record, counts, W, left ());
+    [lx, pb, info, t] = m.module ("backward", m.cst, left (), record, counts, W);
     a.seconds(1+g) = toc (begin);
     cut_short (who, m, info, "back", t);
     if (info != 0)
@@ -98,13 +101,13 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
              m.module ("meaning", "adj", info));
     endif
     a.dx0(g,:) = lx';
-    dJ(g,:) = (pb + wp)' + lx' * reshape (S0.x0, d.nx, numel (names));
+    dJ(g,:) = (pb + wp)' + lx' * S0;
   endfor
   a.dJ = cell2struct (num2cell (dJ, 1)(:), names, 1);
   a.run = r;
 endfunction
 
-## the options, completed by those that gs.linear.carried_columns and gs.run.input_plan read
+## the options, those of a run completed
 function o = options (who, m, given)
   if (! any (strcmp (m.subroutines, "adj")))
     error (["%s: %s was emitted without the subroutine ADJ: derive it with the request " ...
@@ -123,14 +126,18 @@ function o = options (who, m, given)
            "dx0", [], "numbers"
            "timeout", 0, "nonnegative"
            "start", "check", {"check", "project"}};
-  o = gs.given.call_options (who, table, given);
-  o.sensitivity = m.json.sensitivity;
-  o.method = "dp853";
-  o.of_time = false;
-  o.loops = "baumgarte";
-  for name = {"motion", "gain", "reference", "limits", "audit"}
-    o.(name{1}) = [];
+  given = gs.given.call_options (who, table, given);
+  if (is_function_handle (given.input) || ischar (given.input))
+    error ("%s: option input: expected constants or a piecewise polynomial, found %s", who, ...
+           gs.text.shown_value (given.input));
+  endif
+  all_ = gs.run.option_table ();
+  o = cell2struct (all_(:,2), all_(:,1), 1);
+  for name = table(:,1)'
+    o.(name{1}) = given.(name{1});
   endfor
+  o.sensitivity = m.json.sensitivity;
+  o.projection = false;   # steps are those of equations with multipliers alone
 endfunction
 
 function cut_short (who, m, info, way, at)

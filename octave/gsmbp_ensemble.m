@@ -105,7 +105,6 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   endif
   p = gs.run.plan_many (who, m, x0, times, rest);
   gs.given.refuse_given_modes (who, m, rows.inputs, p.o.modes);
-  p = gs.run.longest_delays (p, fieldnames (own.parameters)', rows.table);
   e = gs.run.many_runs (who, p, rows);
   if (isfield (e, "sharp"))
     gs.events.sharp_friction (who, m, e.sharp, rows.n);
@@ -124,7 +123,7 @@ function [own, rest] = read_options (who, pairs)
            "threads", nproc(), "whole"
            "lanes", true, "flag"};
   [names, values] = gs.given.name_value_pairs (who, "option", pairs);
-  known = gs.run.option_table (false);
+  known = gs.run.option_table ();
   k = find (! ismember (names, [table(:,1); known(:,1)]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, ...

@@ -300,86 +300,93 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   who = "gsmbp_simulate";
   gs.given.check_model (who, m);
   gs.given.refuse_words (who, "x0", x0, "times", times);
-  d = m.sizes;
-  has = @(name) any (strcmp (m.subroutines, name));
-  o = gs.given.call_options (who, gs.run.option_table (has ("con") && d.nlam > 0), varargin);
+  o = gs.given.call_options (who, gs.run.option_table (), varargin);
   p = gs.run.plan_run (who, m, x0, times, o);
-  [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
-  [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
-  [x, v, stats, info, seconds, text, sampled, events, number, lost, turns, held, ...
-   followed, moved] = m.module ("sim", p.arguments{:});
-  if (info == 3 && stats.failed == 7 && stats.failed_info == 13)
-    error ("%s: %s: %s", who, m.name,
-           gs.events.wrong_mode (m, times(1), x0(1:d.nx), o.modes, stats.cause));
+  if (! isempty (p.carried.names) && any (strcmp ({m.events.kind}, "stop")))
+    first = gs.run.prepare_run (who, p);
+    gs.start.starts_on_stops (who, p, first.x);
   endif
-  if (strcmp (method, "auto"))
-    method = {"dp853", "radau"}{1 + stats.stiff};
+  found = m.module ("run", m.cst, p.given);
+  gs.run.refuse_run (who, m, found);
+  if (isfield (m.par, "loop_method") && m.par.loop_method != found.loop_method)
+    m = gsmbp_set (m, "loop_method", found.loop_method);
   endif
+  result = result_of (who, m, o, found, varargin);
+  if (! isempty (p.carried.names))
+    result = with_derivatives (m, x0, p, found, result, varargin);
+  endif
+  tell_warnings (who, m, result, found);
+  info = found.info;
+  at = sprintf ("at t = %.9g of %.9g s", found.stats.reached, p.times(end));
+  result.stats.stopped = gs.run.stopped_word (who, m, info, at, nargout < 2);
+  if (found.ended > 0)
+    result.stats.stopped = ["event " m.events(found.ended).name];
+  endif
+  if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
+    [text, id] = gs.run.failure_text (m, found.text, info, found.stats, last_state (m, found));
+    error (id, "%s: %s: %s", who, m.name, text);
+  endif
+endfunction
 
-  reached = stats.outputs;
-  [times, reached, info, ender] = gs.run.ended_early (m, times, reached, info, stats.reached, ...
-                                                      number(2));
-  result.t = times(1:reached)';
-  result.x = x(1:d.nx,1:reached)';
-  result.v = v(:,1:reached)';
-  [names, given] = gs.given.name_value_pairs (who, "option", varargin);
+## what the module has found, by the names of the result
+function result = result_of (who, m, o, found, options)
+  nx = m.sizes.nx;
+  x = found.x(:,1:found.rows)';
+  result = struct ("t", found.t, "x", x(:,1:nx), "v", found.v(:,1:found.rows)');
+  [names, given] = gs.given.name_value_pairs (who, "option", options);
   result.options = cell2struct (given(:), names(:), 1);
-  if (isstruct (sampled))
-    result.y = sampled.y';
-    result.unique = m.unique.outputs;
-    result.memory = sampled.memory;
-    record = sampled.record';
-    result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", ...
-                             record(:,2+d.nxk:end));
-    s.instants = sampled.instants;
-  endif
-  if (! isempty (m.events))
-    result.events = gs.events.event_list (m, events);
-    s.events = number(1);
-  endif
-  if (! isempty (o.audit))
-    result.audit = gs.run.energy_audit (m, result, x(d.nx+1:end,1:reached)');
-  endif
-  if (isstruct (sampled))
+  result.y = found.y';
+  result.unique = m.unique.outputs;
+  s.start = rmfield (found.start, "verdict");
+  s.start.state = [{""}; m.states(:)]{1 + found.start.state};
+  if (! isempty (m.controllers))
+    result.memory = found.memory;
+    record = found.samples';
+    result.samples = struct ("t", record(:,1), "xk", record(:,2:1+m.sizes.nxk), "v", ...
+                             record(:,2+m.sizes.nxk:end));
+    s.instants = found.instants;
     s.held = gs.run.held_samples (m, result, o.memory);
   endif
-  result.stats = gs.run.named_statistics (s, m, result, method, stats);
-  if (! isfield (result, "y"))
-    at = gs.run.row_times (m, result.t, p.times);
-    result.y = gs.run.output_values (m, at, result.x, result.v);
-    result.unique = m.unique.outputs;
+  if (! isempty (m.events))
+    result.events = gs.events.event_list (m, found.events);
+    s.events = found.happened;
+  endif
+  if (! isempty (o.audit))
+    result.audit = gs.run.energy_audit (m, result, x(:,nx+1:end));
+  endif
+  result.stats = gs.run.named_statistics (s, m, result, found.method, found.stats);
+  result.stats.seconds = found.seconds;
+  [result.stats.rtol, result.stats.atol] = deal (found.rtol, found.atol(1:nx));
+  row = gs.run.method_row (found.method);
+  if (row.fixed)
+    [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (nx, 1));
   endif
   result = gs.model.named_results (m, result);
-  if (! isempty (carried.names))
-    if (! isempty (turns))
-      lost = gs.events.grazing_events (m, result, lost, turns, @(t) states_alone (m, x0, t, ...
-          varargin), atol);
-    endif
-    result = gs.linear.run_derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, ...
-                                        followed, moved);
+endfunction
+
+## ... with the derivatives that the run P has carried
+function result = with_derivatives (m, x0, p, found, result, options)
+  lost = found.lost;
+  if (! isempty (found.turns))
+    alone = @(t) states_alone (m, x0, t, options);
+    lost = gs.events.grazing_events (m, result, lost, found.turns, alone, found.atol);
   endif
-  result.stats.seconds = seconds;
-  result.stats.rtol = ropt(2);
-  result.stats.atol = atol(1:d.nx);
-  row = gs.run.method_row (result.stats.method);
-  if (row.fixed)
-    [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
+  S = found.x(m.sizes.nx+1:end,1:found.rows);
+  result = gs.linear.run_derivatives (m, result, p.carried, S, lost, found.held, found.dv, ...
+                                      found.moved);
+endfunction
+
+function tell_warnings (who, m, result, found)
+  listed = 0;
+  if (! isempty (m.events))
+    listed = columns (found.events);
   endif
-  gs.run.warn_of (who, m, result.stats, columns (events));
+  gs.run.warn_of (who, m, result.stats, listed);
   if (! isempty (m.events) && ! isempty (result.t))
-    run = struct ("run", 1, "method", result.stats.method, "atol", atol, "happened", ...
+    run = struct ("run", 1, "method", result.stats.method, "atol", found.atol, "happened", ...
                   unique (result.events.number), "t", result.t(end), "x", result.x(end,:), ...
                   "v", result.v(end,:));
     gs.events.sharp_friction (who, m, gs.events.sharp_ports (m, run), 1);
-  endif
-  at = sprintf ("at t = %.9g of %.9g s", stats.reached, times(end));
-  result.stats.stopped = gs.run.stopped_word (who, m, info, at, nargout < 2);
-  if (! isempty (ender))
-    result.stats.stopped = ["event " ender];
-  endif
-  if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
-    [text, id] = gs.run.failure_text (m, info, stats, text, last_state (m, reached, x, v));
-    error (id, "%s: %s: %s", who, m.name, text);
   endif
 endfunction
 
@@ -390,14 +397,15 @@ function r = states_alone (m, x0, times, options)
   for id = {"stiff", "singular", "margin", "angles", "tolerance", "events"}
     warning ("off", ["gsmbp:" id{1}], "local");
   endfor
-  r = gsmbp_simulate (m, x0(1:m.sizes.nx), times, options{:});
+  r = gsmbp_simulate (m, x0, times, options{:});
 endfunction
 
 ## where a run ended before its time
-function last = last_state (m, reached, x, v)
+function last = last_state (m, found)
   last = [];
-  if (reached < columns (x) && all (isfinite ([x(:,reached+1); v(:,reached+1)])))
-    last = struct ("x", x(1:m.sizes.nx,reached+1), "v", v(:,reached+1));
+  k = found.rows + 1;
+  if (k <= columns (found.x) && all (isfinite ([found.x(:,k); found.v(:,k)])))
+    last = struct ("x", found.x(1:m.sizes.nx,k), "v", found.v(:,k));
   endif
 endfunction
 

@@ -150,7 +150,6 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   plain = kept(! [kept.whole]);
   rest_of = isempty (o.file) * nnz ([kept.whole]) * numel (times);   # of whole runs
   table = gs.sweep.plan_table (who, o, numel (plain) + rest_of);
-  p = gs.run.longest_delays (p, names, table);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   check_demands (who, o.demand, w.names);
   told_of_signs (who, m, names, w.units, table);
@@ -270,7 +269,7 @@ function list = sharp_at_start (s)
   all_ = gs.sweep.run_rows (s, 1:rows (s.table));
   for i = find (strcmp (all_.broken, ""))'
     run = struct ("run", i, "method", p.method, "atol", p.atol, "happened", ...
-                  1:numel (m.events), "t", s.times(1), "x", p.x0, "v", m.input_starts);
+                  1:numel (m.events), "t", s.times(1), "x", p.given.x0, "v", m.input_starts);
     list = [list, gs.events.sharp_ports(gs.run.model_of_row (m, all_, i), run)];
   endfor
 endfunction

@@ -120,7 +120,7 @@ function [o, rest] = read_options (m, pairs)
             "%s"], who, measured{1}, measures);
   endif
   own = ismember (names, table(:,1));
-  run = gs.run.option_table (false);
+  run = gs.run.option_table ();
   known = sort ([table(:,1); run(:,1)])';
   k = find (! ismember (names, known), 1);
   if (! isempty (k))
@@ -173,8 +173,8 @@ endfunction
 function laid_out (m, x0, times, options, name)
   who = "gsmbp_workprecision";
   try
-    gs.run.plan_run (who, m, x0, times, ...
-                     gs.given.call_options (who, gs.run.option_table (false), options));
+    o = gs.given.call_options (who, gs.run.option_table (), options);
+    gs.run.prepare_run (who, gs.run.plan_run (who, m, x0, times, o));
   catch err
     err.message = regexprep (err.message, "option (step|rtol)", ["option " name]);
     rethrow (err);

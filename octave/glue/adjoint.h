@@ -1,22 +1,23 @@
 // Derivatives of goals of a run backwards (gsmbp_adjoint), by share/engine/host/adjoint.h.
 #pragma once
 
-#include "run_parts.h"
+#include "run.h"
 #include "host/adjoint.h"
 
-// what both ways need: constants, plan
+// what both ways need: the run prepared
 struct adjoint_run
 {
-  adjoint_run (arguments& a)
-    : cst (a.constants ()), plan (a.value ("plan").scalar_map_value (), S.nx)
+  adjoint_run (arguments& a) : asked (a)
   {
-    run = { S.run, &cst[0], plan.ip.data (), plan.rp.data (), gsmbp_patience, nullptr };
+    if (gs_run_prepare (&asked.about, &asked.options, &asked.start, &asked.inputs, &found))
+      error ("%s: %s", a.who ().c_str (), found.text);
+    run = { S.run, found.cst, found.ip, found.rp, gsmbp_patience, nullptr };
   }
   ~adjoint_run (void) { gs_adjoint_free (&kept); }
   adjoint_run (const adjoint_run&) = delete;
 
-  reals cst;
-  run_plan plan;
+  asked_run asked;
+  found_run found;
   gs_adjoint_run run;
   gs_kept_steps kept = gs_kept_steps ();
 };
@@ -36,22 +37,19 @@ take_record (gs_kept_steps& kept, const Matrix& counts, const Matrix& record)
   std::copy_n (record.data (), record.numel (), kept.numbers);
 }
 
-// (constants, plan, x0, t0 and the stops, rtol, atol, timeout): a column for each step as
-// gs_kept_steps has it; the number of steps up to each stop; the state at each; INFO; the time that
-// was reached
+// (those of a run, t0 and the stops): a column for each step as gs_kept_steps has it; the number of
+// steps up to each stop; the state at each; INFO; the time that was reached
 static octave_value_list
 do_forward (arguments& a, int)
 {
   adjoint_run r (a);
-  const reals x = a.vector ("x0", S.nx), stops = a.vector ("stops", -1);
-  const number rtol = a.scalar ("rtol");
-  const reals atol = a.vector ("atol", S.nx);
+  const reals stops = a.vector ("stops", -1);
   const int ns = int (stops.size ());
   reals states (std::size_t (S.nx) * ns, no_number);
-  patience p (double (a.scalar ("timeout")), double (stops[0]), double (stops[ns - 1]), "s");
+  patience p (r.asked.timeout, double (stops[0]), double (stops[ns - 1]), "s");
   number t = 0;
-  const int info = gs_adjoint_forward (&r.run, &x[0], ns, &stops[0], rtol, &atol[0], &r.kept,
-                                       &states[0], &t);
+  const int info = gs_adjoint_forward (&r.run, r.found.x, ns, &stops[0], number (r.found.rtol),
+                                       r.found.atol, &r.kept, &states[0], &t);
   p.settle ();
   if (info == GS_OUT_OF_MEMORY)
     throw std::bad_alloc ();
@@ -61,8 +59,8 @@ do_forward (arguments& a, int)
   return ovl (record, counts, result (states, S.nx, ns), info, double (t));
 }
 
-// (constants, plan, record of the forward way, numbers of steps up to each stop, weights of the
-// states at each stop, timeout): derivatives by the first state and by the parameters; INFO; the
+// (those of a run, record of the forward way, numbers of steps up to each stop, weights of the
+// states at each stop): derivatives by the first state and by the parameters; INFO; the
 // time that was reached
 static octave_value_list
 do_backward (arguments& a, int)
@@ -75,7 +73,7 @@ do_backward (arguments& a, int)
   reals lx = room (S.nx), pb = room (S.nsp), given (weights.data (),
                                                     weights.data () + weights.numel ());
   const int at = r.kept.steps;
-  patience p (double (a.scalar ("timeout")), at > 0 ? record(1, at - 1) : 0,
+  patience p (r.asked.timeout, at > 0 ? record(1, at - 1) : 0,
               at > 0 ? record(0, 0) : 1, "s, backward");
   number t = 0;
   const int info = gs_adjoint_backward (&r.run, &r.kept, given.data (), &lx[0], &pb[0], &t);

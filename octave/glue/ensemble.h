@@ -1,56 +1,72 @@
 // Many runs of a scene by one plan (host/ensemble): what Octave hands over, and what comes back.
 #pragma once
 
-#include "host/ensemble/ensemble.h"
-#include "parameters.h"
-#include "simulation.h"
+#include "host/ensemble/run_rows.h"
+#include "run.h"
 
 #include <numeric>
 
-// what differs from run to run, a row for each; no rows: as in the run of the beginning
-struct ensemble_rows
+// the parameters that differ from run to run, a row of the table for each
+struct varied_parameters
 {
-  int n;
-  std::vector<int> which;            // the parameters that a column stands for
-  Matrix nominal;
-  int check;                         // should starts be closed, or are they moved from anywhere?
-  reals common, table, starts, inputs;   // the parameters of all runs; columns of the others
+  std::vector<int> which;   // those that a column stands for
+  reals table;
+  int n;                    // runs, 0: no table
 
-  ensemble_rows (arguments& a)
-    : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1))
+  varied_parameters (arguments& a) : which (a.integers ("parameters", -1))
   {
-    common = parameter_values (a.matrix ("par", S.npar, 1), 0);
-    table = columns_of (a, int (which.size ()), "table", decimal);
-    starts = columns_of (a, S.nx, "starts", plain);
-    inputs = columns_of (a, S.nv, "inputs", plain);
-    nominal = a.matrix ("nominal", S.nx, 1);
-    check = a.integer_within ("check", 0, 1);
+    const Matrix m = a.value ("table").matrix_value ();
+    n = int (m.rows ());
+    if (! m.isempty () && m.columns () != octave_idx_type (which.size ()))
+      error ("%s: argument table: expected %d columns, found %d", a.who ().c_str (),
+             int (which.size ()), int (m.columns ()));
+    table.assign (m.data (), m.data () + m.numel ());
   }
 
   gs_rows rows (void) const
   {
-    return { n, &common[0], int (which.size ()), which.data (), columns (table), columns (starts),
-             columns (inputs), nullptr };
+    gs_rows r = gs_rows ();
+    r.n = n;
+    r.varied = table.empty () ? 0 : int (which.size ());
+    r.which = which.data ();
+    r.table = { table.empty () ? nullptr : table.data (), 1, n };
+    return r;
+  }
+};
+
+// ... and starts and inputs; no rows: as in the run of the beginning
+struct ensemble_rows
+{
+  int n;
+  varied_parameters varied;
+  reals starts, inputs;
+
+  ensemble_rows (arguments& a)
+    : n (a.integer_within ("runs", 1, 2000000000)), varied (a),
+      starts (columns_of (a, S.nx, "starts")), inputs (columns_of (a, S.nv, "inputs"))
+  {
+    if (varied.n > 0 && varied.n != n)
+      error ("%s: argument table: expected %d rows, found %d", a.who ().c_str (), n, varied.n);
+  }
+
+  gs_rows rows (void) const
+  {
+    gs_rows r = varied.rows ();
+    r.n = n;
+    r.starts = { starts.empty () ? nullptr : starts.data (), 1, n };
+    r.inputs = { inputs.empty () ? nullptr : inputs.data (), 1, n };
+    return r;
   }
 
 private:
 
-  static number plain (double x) { return x; }
-
-  gs_table columns (const reals& all) const
-  {
-    return { all.empty () ? nullptr : all.data (), 1, n };
-  }
-
-  reals columns_of (arguments& a, int many, const char *name, number (*as) (double)) const
+  reals columns_of (arguments& a, int many, const char *name) const
   {
     const Matrix m = a.value (name).matrix_value ();
     if (! m.isempty () && (m.rows () != n || m.columns () != many))
       error ("%s: argument %s: expected %d x %d, found %s", a.who ().c_str (), name, n, many,
              m.dims ().str ().c_str ());
-    reals x (m.numel ());
-    std::transform (m.data (), m.data () + m.numel (), x.begin (), as);
-    return x;
+    return reals (m.data (), m.data () + m.numel ());
   }
 };
 
@@ -76,7 +92,7 @@ struct ensemble_results
         margins(S.nsm + k, i) = HUGE_VAL;
     all = { x.fortran_vec (), v.fortran_vec (), y.fortran_vec (), counts.fortran_vec (),
             values.fortran_vec (), info.fortran_vec (), counted.fortran_vec (),
-            margins.fortran_vec (), events.data (), many.data (), said.data (), 0 };
+            margins.fortran_vec (), events.data (), many.data (), said.data (), 0, 0 };
   }
   ~ensemble_results (void)
   {
@@ -117,67 +133,37 @@ gsmbp_runs_done (void *, int done)
   the_patience->reached (done);
 }
 
-// the run S as all runs of an ensemble have it; its arrays are those of S
-static gs_ensemble
-ensemble_of (simulation& s, const gs_description& about, const gs_lane_routines& lanes,
-             const ensemble_rows& rows)
-{
-  gs_ensemble e = gs_ensemble ();
-  e.scene = S.run;
-  e.about = &about;
-  e.pre = gsmbp_constants;
-  e.lanes = &lanes;
-  e.npar = S.npar;
-  e.ncst = S.ncst;
-  e.fortran_inputs = 1;
-  e.run = s.run ();
-  e.run.nb = s.nb;   // the breaks of the inputs alone
-  e.run.tbrk = &s.tbrk[0];
-  e.wholes = s.plan->ip.size ();
-  e.reals = s.plan->rp.size ();
-  e.guess = &s.w[0];
-  e.check = rows.check;
-  return e;
-}
-
-// (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
-// starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
-// outputs (a row for each time, a page for each run), statistics, INFO of the run and of PRE,
-// seconds, whether in lanes, events, how many of each function there were and when, what methods
-// said that failed (a column of runs, {} if none), which margins of devices were passed, their
-// least values
+// (those of a run, number of runs, numbers of the parameters, table, starts, inputs, threads,
+// lanes): states, inputs, outputs (a row for each time, a page for each run), statistics, INFO of
+// the run and of PRE, seconds, whether in lanes, events, how many of each function there were and
+// when, what methods said that failed (a column of runs, {} if none), which margins of devices were
+// passed, their least values
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
-  simulation s (a);
-  ensemble_rows given (a);
+  asked_run asked (a);
+  const ensemble_rows given (a);
   const int threads = a.integer_within ("threads", 1, 10000);
-  const bool wanted = a.integer_within ("lanes", 0, 1) == 1;
-  if (s.input.is_function_handle () || s.carries () || s.audit)
-    error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   gs_lane_routines lanes = gs_lane_routines ();
-  if (wanted)
+  if (a.integer_within ("lanes", 0, 1) == 1)
     gsmbp_lanes (&lanes);
-  gs_description about = *S.about;
-  about.nominal = given.nominal.data ();
-  gs_ensemble e = ensemble_of (s, about, lanes, given);
-#if ! defined (GSMBP_QUAD)
-  const gs_implicit options = { s.implicit[0], s.implicit[1], 0, 0, int (s.implicit.size ()) - 2,
-                                s.implicit.data () + 2, nullptr, 0 };
-  e.method = s.implicit_method;
-  e.implicit = &options;
-#endif
+  asked.about.lanes = &lanes;
+  if (asked.calls_octave () || asked.options.ncolumns > 0 || asked.options.audit > 0)
+    error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   const gs_rows rows = given.rows ();
-  ensemble_results r (rows.n, s.nt);
+  ensemble_results r (rows.n, asked.start.nt);
+  found_run found;
   const auto begin = std::chrono::steady_clock::now ();
-  patience p (s.timeout, 0, rows.n, "runs");
-  const int failed = gs_run_ensemble (&e, &rows, threads, gs_keep_member, &r.all, gsmbp_runs_done);
+  patience p (asked.timeout, 0, rows.n, "runs");
+  gs_run_rows (&asked.about, &asked.options, &asked.start, &asked.inputs, &rows, threads, &r.all,
+               gsmbp_runs_done, &found);
   p.settle ();
-  if (failed || r.all.no_memory)
+  if (found.refused)
+    error ("%s.ensemble: %s", S.name, found.text);
+  if (found.info == GS_OUT_OF_MEMORY)
     throw std::bad_alloc ();
-  const double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin)
-                        .count ();
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, gs_ensemble_in_lanes (&e) == 1,
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took.count (), r.all.in_lanes == 1,
               r.all_events (), r.counted, r.all_said (), r.margins);
 }
 
@@ -187,32 +173,4 @@ do_statistics (arguments& a, int)
 {
   const Matrix counts = a.value ("counts").matrix_value ();
   return ovl (named_statistics (counts, a.value ("values").matrix_value ()));
-}
-
-// (values of all parameters, numbers of those that a table is of, the table): periods and delays of
-// the sampled devices, a column for each of its rows, zeros where PRE fails
-static octave_value_list
-do_periods (arguments& a, int)
-{
-  const Matrix par = a.matrix ("par", S.npar, 1);
-  const std::vector<int> which = a.integers ("parameters", -1);
-  const Matrix table = a.value ("table").matrix_value ();
-  Matrix periods (S.nctl, table.rows (), 0.0), delays (S.nctl, table.rows (), 0.0);
-  reals p = room (S.npar), cst = room (S.ncst), period = room (S.nctl), delay = room (S.nctl);
-  for (int k = 0; k < S.npar; k++)
-    p[k] = decimal (par(k));
-  for (octave_idx_type i = 0; i < table.rows (); i++)
-    {
-      int info = 0;
-      for (std::size_t k = 0; k < which.size (); k++)
-        p[which[k] - 1] = decimal (table(i, k));
-      routine ("pre") (&p[0], &cst[0], &info);
-      routine ("ctp") (&cst[0], &period[0], &delay[0]);
-      for (int k = 0; k < S.nctl && info == 0; k++)
-        {
-          periods(k, i) = double (period[k]);
-          delays(k, i) = double (delay[k]);
-        }
-    }
-  return ovl (periods, delays);
 }

@@ -7,7 +7,7 @@
 #include "handles.h"
 #include "parameters.h"
 #include "runtime.h"
-#include "simulation.h"
+#include "run.h"
 #include "starts.h"
 #include "ensemble.h"
 #include "job.h"
@@ -56,9 +56,9 @@ do_guarded (arguments& a, int nargout)
 
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
-    = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "job", do_job },
-        { "periods", do_periods }, { "start", do_start }, { "settle", do_settle },
-        { "residuals", do_residuals }, { "worst", do_worst }, { "pending", do_pending },
+    = { { "run", do_run }, { "prepare", do_prepare }, { "ensemble", do_ensemble },
+        { "job", do_job }, { "start", do_start }, { "settle", do_settle },
+        { "residuals", do_residuals }, { "worst", do_worst },
         { "wrong mode", do_wrong_mode }, { "passed margins", do_passed_margins },
         { "statistics", do_statistics },
         { "forward", do_forward },
@@ -130,7 +130,7 @@ do_time (const octave_value_list& args)
     error ("%s.time: expected repetitions, the name of a subroutine, its arguments", S.name);
   std::string call = args(2).string_value ();
   long repeats = args(1).long_value ();
-  if (repeats < 1 || call == "sim")
+  if (repeats < 1 || call == "run")
     error ("%s.time: cannot time %ld calls of %s", S.name, repeats, call.c_str ());
   struct guard { ~guard () { the_repeats = 0; } } back_to_normal;
   the_repeats = repeats;

@@ -3,9 +3,8 @@
      GSMBP_DECLARE  extern void pendulum_par_ (void); ...
      GSMBP_BY_VALUE GS_FORTRAN_rhs (run_rhs, pendulum_rhs_) ...: those that runs call
      GSMBP_RUN      the members of gs_scene by name: .nq = 1, .rhs = run_rhs, ...
-     GSMBP_AUDITED  run_rha, or 0
-     GSMBP_LISTS    arrays of what a start needs of the scene, GSMBP_ABOUT its members by name
-     GSMBP_KINDS    the kinds of the event functions (gs_scene), then 0
+     GSMBP_LISTS    arrays of what runs need of the scene, GSMBP_ABOUT its members by name
+                    (gs_description)
      GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
      GSMBP_MODES    the numbers of the inputs that are modes, then 0
      GSMBP_TABLE    the members of gsmbp_scene by name: .name = "pendulum", .nq = 1, ...
@@ -20,9 +19,8 @@
 GSMBP_DECLARE
 GSMBP_BY_VALUE
 
-static const int kinds[] = { GSMBP_KINDS };
-static const gs_scene run = { GSMBP_RUN };
 GSMBP_LISTS
+static const gs_scene run = { GSMBP_RUN };
 static const int sets[] = { GSMBP_SETS };
 static const int modes[] = { GSMBP_MODES };
 static const gsmbp_routine routines[] = { GSMBP_ROUTINES { 0, 0, 0 } };
@@ -38,10 +36,11 @@ gsmbp_meaning_of (const char *name, int info)
   return text;
 }
 
-static const gs_description about = { .scene = &run, .meaning = gsmbp_meaning_of, GSMBP_ABOUT };
+static const gs_description about = { .scene = &run, .meaning = gsmbp_meaning_of,
+                                      .pre = gsmbp_constants, .fortran_inputs = 1, GSMBP_ABOUT };
 const gsmbp_scene gsmbp_the_scene
-    = { GSMBP_TABLE, .run = &run, .about = &about, .audited = GSMBP_AUDITED, .sets = sets,
-        .modes = modes, .routines = routines };
+    = { GSMBP_TABLE, .run = &run, .about = &about, .sets = sets, .modes = modes,
+        .routines = routines };
 
 gsmbp_sub
 gsmbp_emitted (const char *name)

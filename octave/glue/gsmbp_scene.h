@@ -49,8 +49,7 @@ typedef struct
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const gs_scene *run; /* as the run time in C takes it */
-  const struct gs_description *about;   /* as the start of a run does (host/start.h) */
-  gs_rhs *audited;   /* the rates of an audit, RHA */
+  const struct gs_description *about;   /* as hosts of runs do (host/start.h) */
   const int *sets;   /* ... four numbers of coordinates each */
   const int *modes;  /* nmode: the numbers of the inputs that are modes of devices with events */
   const gsmbp_routine *routines;   /* as they were emitted; the last has no name */

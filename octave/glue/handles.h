@@ -29,30 +29,34 @@ left_out (const char *request)
   return std::string ("derive it with the request ") + request + " of gsmbp_fortran";
 }
 
-static void
-absent (const std::string& call, const char *request)
+static std::string
+reason_of (const std::string& call, const char *request)
 {
-  std::string reason;
   auto is = [&] (const char *calls)
     { return std::strstr (calls, (" " + call + " ").c_str ()) != nullptr; };
   if (S.nlam == 0 && is (" con inl clo acc acd tan cop "))
-    reason = "it has no loops";
-  else if (S.nlam == 0 && S.nq == S.nu && is (" prj "))
-    reason = "it has neither loops nor Euler parameters";
-  else if (S.nctl == 0 && is (" ctl ctp "))
-    reason = "it has no sampled devices";
-  else if (S.nev == 0 && is (" evt hld rst evp "))
-    reason = "it has no events";
-  else if (S.nsm == 0 && is (" mar "))
-    reason = "no device of it has a margin that its state decides";
-  else if (S.nlam == 0 && is (" ind red jpi "))
-    reason = "it has no loops";
-  else if (S.ny == 0 && is (" out oup "))
-    reason = "it has no outputs";
-  else
-    reason = left_out (request);
+    return "it has no loops";
+  if (S.nlam == 0 && S.nq == S.nu && is (" prj "))
+    return "it has neither loops nor Euler parameters";
+  if (S.nctl == 0 && is (" ctl ctp "))
+    return "it has no sampled devices";
+  if (S.nev == 0 && is (" evt hld rst evp "))
+    return "it has no events";
+  if (S.nsm == 0 && is (" mar "))
+    return "no device of it has a margin that its state decides";
+  if (S.nlam == 0 && is (" ind red jpi "))
+    return "it has no loops";
+  if (S.ny == 0 && is (" out oup "))
+    return "it has no outputs";
+  return left_out (request);
+}
+
+static void
+absent (const std::string& call, const char *request)
+{
   error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s: %s",
-                 S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
+                 S.name, call.c_str (), upper (call).c_str (),
+                 reason_of (call, request).c_str ());
 }
 
 // The emitted subroutines that gsmbp_fortran knows: end of the name, what it is asked for by, the
@@ -142,17 +146,24 @@ known_by (const std::string& name)
   return nullptr;
 }
 
-// what a run needs and was not emitted: as its handle says it
+// why a subroutine that is needed was not emitted, or how to have it
+static std::string
+why_absent (const std::string& name)
+{
+  if (name == "vin")
+    return "the model was built without option \"input\" of gsmbp_build";
+  const known_routine *row = known_by (name);
+  if (! row || ! row->request[0])
+    return "the scene was emitted without the subroutine " + upper (name);
+  return "the scene was emitted without the subroutine " + upper (name) + ": "
+         + reason_of (name, row->request);
+}
+
+// ... as its handle says it
 static void
 absent_routine (const std::string& name)
 {
-  const known_routine *row = known_by (name);
-  if (row && row->request[0])
-    absent (name, row->request);
-  error_with_id ("gsmbp:absent",
-                 "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the "
-                 "requests of gsmbp_fortran",
-                 S.name, name.c_str (), S.name, name.c_str ());
+  error_with_id ("gsmbp:absent", "%s.%s: %s", S.name, name.c_str (), why_absent (name).c_str ());
 }
 
 // A handle of gsmbp_build.

@@ -46,6 +46,20 @@ parameter_values (const Matrix& given, int column)
   return par;
 }
 
+// a gs_pre that is told parameters in double precision: those of the scene are the scene's, others
+// the decimals that they are read from
+extern "C" int
+gsmbp_exact_constants (const number *par, number *cst)
+{
+#if defined (GSMBP_QUAD)
+  Matrix given (S.npar, 1);
+  std::transform (par, par + S.npar, given.fortran_vec (), [] (number x) { return double (x); });
+  return gsmbp_constants (parameter_values (given, 0).data (), cst);
+#else
+  return gsmbp_constants (par, cst);
+#endif
+}
+
 static octave_value_list
 do_pre (arguments& a, int nargout)
 {

@@ -1,69 +1,51 @@
-// What a run calls or keeps beside the states: inputs of the user in Octave, samples, events, the
-// library of CVODE.
+// What a run calls of Octave: inputs of the user, patience, the library of CVODE; parts of a run at
+// many states.
 #pragma once
 
+#include "arguments.h"
 #include "patience.h"
-#include "run_plan.h"
-#include "host/output_rows.h"
 
-// A subroutine of the user in Octave: v = f (t, x).  An exception may not
-// cross Fortran frames; it is kept and thrown again behind the run.
-// Only while a run lasts do these point to something: a static octave_value
-// would be destroyed after the interpreter.
-static const octave_value *the_input = nullptr;
-static const reals *the_breaks = nullptr;
-static std::exception_ptr *the_failure = nullptr;
-
-// the time at which such a function has the limit of a side: beside a break one just before or
-// behind it, whatever the function has in the jump itself
-static double
-beside_a_break (double t, int side)
+// Inputs by a function of the user in Octave, v = f (t, x).  An exception may not cross the frames
+// of C; it is kept and thrown again behind the run.
+struct octave_inputs
 {
-  if (! the_breaks || std::none_of (the_breaks->begin (), the_breaks->end (),
-                                    [t] (number at) { return double (at) == t; }))
-    return t;
-  const double apart = std::max (2 * DBL_EPSILON * std::abs (t), 1e-300);
-  return side < 0 ? t - apart : t + apart;
-}
+  octave_value f;
+  std::exception_ptr failure;
+};
 
-extern "C" void
-gsmbp_call_input (const number *t, const int *side, const number *x, const int *nx,
-                  const int *nv, const int *, const number *, const number *,
-                  number *v, int *info)
+// a gs_vin whose data are such
+extern "C" int
+gsmbp_octave_inputs (number t, int, const number *x, int nx, int nv, void *data, number *v)
 {
-  // behind a run, where derivatives of its inputs are asked for, there is no patience
-  *info = ! the_patience || the_patience->why () == patience::none ? 0 : -1000;
-  if (*info != 0)
-    return;
+  octave_inputs& given = *static_cast<octave_inputs *> (data);
+  if (given.failure)
+    return -1000;
   try
     {
-      Matrix state (*nx, 1);
-      for (int i = 0; i < *nx; i++)
-        state.xelem (i) = double (x[i]);
-      const double time = beside_a_break (double (*t), *side);
-      octave_value_list r = octave::feval (*the_input, ovl (time, state), 1);
+      Matrix state (nx, 1);
+      std::transform (x, x + nx, state.fortran_vec (), [] (number a) { return double (a); });
+      octave_value_list r = octave::feval (given.f, ovl (double (t), state), 1);
       octave_value_list only;
       if (r.length () > 0)
         only.append (r(0));
       arguments a (only, "simulate");
-      reals given = a.vector ("v", *nv);
-      for (int i = 0; i < *nv; i++)
-        v[i] = given[i];
+      const reals found = a.vector ("v", nv);
+      std::copy_n (found.begin (), nv, v);
+      return 0;
     }
   catch (const octave::interrupt_exception&)
     {
       octave::interpreter::the_interpreter ()->recover_from_exception ();
       if (the_patience)
         the_patience->stop (patience::interrupted);
-      *info = -1000;
     }
   catch (...)
     {
-      *the_failure = std::current_exception ();
+      given.failure = std::current_exception ();
       if (the_patience)
         the_patience->stop (patience::failed);
-      *info = -1000;
     }
+  return -1000;
 }
 
 // before a step: INFO where the run is to end, else 0
@@ -71,28 +53,6 @@ extern "C" int
 gsmbp_patience (void *, number t)
 {
   return patience::asked () && the_patience->look (double (t)) ? the_patience->why () : 0;
-}
-
-// the times at which the scene switches
-static reals
-switch_times (const reals& cst)
-{
-  reals at = room (S.nsw);
-  if (S.nsw > 0)
-    routine ("swi") (&cst[0], &at[0]);
-  at.resize (S.nsw);
-  return at;
-}
-
-// the output times as they stand for the rows
-static reals
-row_times (const reals& cst, const reals& tout, int rows)
-{
-  const reals switches = switch_times (cst);
-  reals t = room (rows);
-  for (int k = 0; k < rows; k++)
-    t[k] = gs_row_time (&tout[0], k, rows, S.nsw, switches.data ());
-  return t;
 }
 
 // the outputs at K states, a column each; not a number where a state or an input is none or the
@@ -112,16 +72,6 @@ outputs_at (const reals& cst, int k, const number *t, const number *x, int ldx, 
           y(j, i) = double (one[j]);
       }
   return y;
-}
-
-// numbers of RP from a place in the plan on
-static Matrix
-part_of (const number *from, int rows, int cols)
-{
-  Matrix m (rows, cols);
-  for (octave_idx_type i = 0; i < m.numel (); i++)
-    m.xelem (i) = double (from[i]);
-  return m;
 }
 
 // The next argument, K rows of N numbers, row after row; zero where nothing is given and that may
@@ -229,48 +179,13 @@ do_energies (arguments& a, int)
   return ovl (energies);
 }
 
-// after a run: a struct of the outputs at the output times, the record of the samples, the memory
-// at the end
-static octave_value
-samples (const reals& cst, run_plan& plan, const reals& tout, const reals& xout,
-         const reals& vout, int ldx, int ldv, int reached)
-{
-  if (S.nctl == 0)
-    return Matrix ();
-  const gs_samples a = plan.samples ();
-  octave_scalar_map r;
-  const reals t = row_times (cst, tout, reached);
-  Matrix y = outputs_at (cst, reached, &t[0], &xout[0], ldx, &vout[0], ldv);
-  r.assign ("y", y);
-  r.assign ("memory", part_of (a.memory, S.nxk, 1));
-  r.assign ("record", part_of (a.record, 1 + S.nxk + S.nv, std::min (a.ns, *a.count)));
-  r.assign ("instants", *a.count);
-  return octave_value (r);
-}
-
-// after a run: the record of the events, a column for each: time, number, mode after, states
-// before, states after; how many there were and the number of the one that ended the run, or 0
-static octave_value_list
-events (run_plan& plan, int nx)
-{
-  if (S.nev == 0)
-    return ovl (Matrix (), Matrix (1, 2, 0.0));
-  const gs_events a = plan.events ();
-  Matrix numbers (1, 2);
-  numbers(0) = *a.count;
-  numbers(1) = *a.ended;
-  return ovl (part_of (a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), numbers);
-}
-
 #if ! defined (GSMBP_QUAD)
-// who runs by an implicit method: one of the engine, or libgsmbp_cvode.so, which has gs_cvode
+// the method of a library, of libgsmbp_cvode.so gs_cvode
 static gs_implicit_method *
-implicit_run (const std::string& library)
+method_of (const std::string& library)
 {
   static gs_implicit_method *run = nullptr;
   static std::string loaded;
-  if (gs_implicit_method *own = gs_method_named (library.c_str ()))
-    return own;
   if (loaded != library)
     {
       std::string name = "gs_" + library.substr (library.rfind ("libgsmbp_") + 9);

@@ -40,24 +40,20 @@ private:
   }
 };
 
-// (those of asked_start, whether the state must be on the constraints, whether stops count, modes):
-// the state as a run takes it, the verdict (gsmbp/failures.h), its message, the largest residual
-// and its row, how far a state was moved and its number
+// (those of asked_start, whether the state must be on the constraints): the state on them; a struct
+// of the verdict (gsmbp/failures.h) and the number of the state that it is of; its message
 static octave_value_list
 do_start (arguments& a, int)
 {
   asked_start s (a);
   s.given.check = a.integer_within ("check", 0, 1);
-  const bool stops = a.integer_within ("stops", 0, 1) == 1;
-  const std::vector<int> modes = a.integers ("modes", -1);
-  s.given.modes = int (modes.size ()) == S.nev ? modes.data () : nullptr;
   gs_start found;
-  if (stops)
-    gs_take_start (&s.about, &s.given, &s.x[0], &found);
-  else if (gs_close_start (&s.about, &s.given, &s.x[0], &found) == GS_START_TAKEN && s.given.check)
+  if (gs_close_start (&s.about, &s.given, &s.x[0], &found) == GS_START_TAKEN && s.given.check)
     gs_check_margins (&s.about, &s.given, &s.x[0], &found);
-  return ovl (result (s.x, S.nx), found.verdict, found.text, found.residual,
-              found.row, found.moved, found.state + 1);
+  octave_scalar_map start;
+  start.assign ("verdict", found.verdict);
+  start.assign ("state", found.state + 1);
+  return ovl (result (s.x, S.nx), start, found.text);
 }
 
 // (those of asked_start): the state with its settled states where their rates vanish
@@ -143,17 +139,4 @@ do_passed_margins (arguments& a, int)
       texts(i) = text;
     }
   return ovl (numbers, first, least, texts);
-}
-
-// (periods, delays of devices, length of a run): places for pending outputs, instants that are
-// recorded
-static octave_value_list
-do_pending (arguments& a, int)
-{
-  const Matrix period = a.value ("period").matrix_value ();
-  const Matrix delay = a.value ("delay").matrix_value ();
-  const double span = a.value ("span").double_value ();
-  const int n = int (std::min (period.numel (), delay.numel ()));
-  return ovl (gs_pending (n, period.data (), delay.data ()),
-              gs_instants (n, period.data (), delay.data (), span));
 }

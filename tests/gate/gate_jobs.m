@@ -27,12 +27,12 @@ function write_job (m, exact, run, file)
   if (strcmp (run.method, "dp853"))
     method = {"rtol", 1e-18, "atol", 1e-20 * m.nominal};
   end
-  q = gsmbp_simulate (exact, a{3}(1:m.sizes.nx), times, options{:}, method{:});
-  [ip, rp, iopt, sizes] = m.module ("job", a{:});
-  job = {"t0", a{2}; "x0", a{3}; "tout", a{5}; "tbrk", a{6}(1:a{7}(2)); "iopt", iopt
-         "ropt", a{9}; "atol", a{10}; "guess", a{12}; "ip", ip; "rp", rp; "sizes", sizes
-         "cst", typecast(a{1}, "double"); "quad", q.x(end,:)
-         "nominal", m.nominal}';
+  job = m.module ("job", a{:}, [], []);
+  first = m.module ("prepare", a{:});
+  job.x0 = first.x;
+  q = gsmbp_simulate (exact, job.x0, times, options{:}, method{:});
+  job = [[fieldnames(job), struct2cell(job)]; {"tout", times; "quad", q.x(end,:)
+                                               "nominal", m.nominal}]';
   f = fopen (file, "w");
   for field = job
     fprintf (f, "%s %d", field{1}, numel (field{2}));
@@ -53,7 +53,7 @@ end
 
 function varargout = forwarded (module, varargin)
   global gate_arguments
-  if (strcmp (varargin{1}, "sim"))
+  if (strcmp (varargin{1}, "run"))
     gate_arguments = varargin(2:end);
   end
   [varargout{1:nargout}] = module (varargin{:});

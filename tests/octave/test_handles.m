@@ -151,7 +151,7 @@ function wrong (m, c)
   says (@() gsmbp_simulate (m, [0; 0; 0], [0, 1], "audit", true), ...
         "gsmbp_simulate: option audit: expected a finite number above 0, found true");
   says (@() gsmbp_simulate (m, [0; 0; 0], [0, 1], "maxorder", true), ...
-        "gsmbp_simulate: option maxorder: method dp853 has one order alone, found true");
+        "gsmbp_simulate: option maxorder: expected a finite number, found true");
   short = gsmbp_set (c, "l2", 0.1);
   [qj, res, info] = short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]);
   gsmbp_check ("INFO as last output is no error", info == 3 && abs (res(1) - 0.1) < 1e-15);

@@ -67,7 +67,8 @@ def chain():
         wanted = (ends[0] - 8 * ends[1] + 8 * ends[2] - ends[3]) / (12 * step)
         close('slider-crank: dx/d%s beside differences' % name, r.dx[name][:, -1], wanted,
               3e-6 * abs(wanted).max())
-    refuses('too many coordinates that are fixed', ValueError, ['fixed', 'contradicts'],
+    refuses('too many coordinates that are fixed', ValueError,
+            ['fixed: expected 1 of the coordinates', 'q1, q3'],
             m.simulate, x0, [0, 0.1], sensitivity='l1', fixed=['q1', 'q3'], **arguments)
     refuses('the way partitioning with derivatives', ValueError, ['projection', 'baumgarte'],
             m.simulate, x0, [0, 0.1], sensitivity='l1', loops='partitioning', **arguments)

@@ -1,24 +1,23 @@
-## c = gs.linear.carried_columns (who, m, o, t0, x0, atol)
-## The derivatives that a run from X0 carries with its states, by the option sensitivity of
+## c = gs.linear.carried_columns (who, m, o)
+## The derivatives that a run of the model M carries with its states, by the option sensitivity of
 ## gsmbp_simulate (O): names; columns, for each the number of its column of m.rhp, 0 for a start
-## value; x0, their start, column after column; atol, their absolute tolerances, those of the states
-## ATOL beside the size of the parameter.
+## value; sizes, nominal magnitudes of these; dx0, those of the start, a column for each; fixed, 1
+## for each coordinate of a closed chain that keeps them, the others follow from the constraints.
 
-function c = carried_columns (who, m, o, t0, x0, atol)
-  c = struct ("names", {cellstr(o.sensitivity)(:)'}, "columns", [], "x0", [], "atol", []);
+function c = carried_columns (who, m, o)
+  c = struct ("names", {cellstr(o.sensitivity)(:)'}, "columns", [], "sizes", [], "dx0", [], ...
+              "fixed", []);
   if (isempty (o.sensitivity))
     c.names = {};
     no_options_alone (who, o);
     return;
   endif
   can (who, m, o);
-  d = m.sizes;
   known = cellstr (m.json.sensitivity)(:)';
-  S = start_values (who, o, d.nx, numel (c.names));
-  sizes = [];
+  c.dx0 = start_values (who, o, m.sizes.nx, numel (c.names));
   for k = 1:numel (c.names)
     name = c.names{k};
-    [is_parameter, column] = ismember (name, known);
+    [is_parameter, c.columns(k)] = ismember (name, known);
     [is_state, state] = ismember (name, m.states);
     if (sum (strcmp (c.names, name)) > 1)
       error ("%s: option sensitivity: %s is given twice", who, name);
@@ -26,24 +25,19 @@ function c = carried_columns (who, m, o, t0, x0, atol)
       error (["%s: option sensitivity: %s moves the instants of sampled devices: there are no " ...
               "derivatives by it"], who, name);
     elseif (is_parameter)
-      size_ = abs (m.par.(name)) + (m.par.(name) == 0);
+      c.sizes(k) = abs (m.par.(name)) + (m.par.(name) == 0);
     elseif (is_state)
-      size_ = m.nominal(state);
-      S(state,k) += 1;
+      c.sizes(k) = m.nominal(state);
+      c.dx0(state,k) += 1;
     else
       error (["%s: option sensitivity: expected parameters that %s was derived for " ...
               "(request sensitivity: %s) or states, for their start values; found %s"], ...
              who, m.name, strjoin (known, ", "), name);
     endif
-    c.columns(k) = column;
-    sizes(k) = size_;
-    c.atol = [c.atol; atol(:) / size_];
   endfor
-  if (d.nlam > 0)
-    S = on_constraints (who, m, o, t0, x0(:), S, c.columns);
+  if (m.sizes.nlam > 0)
+    c.fixed = fixed_coordinates (who, m, o);
   endif
-  gs.start.starts_on_stops (who, m, t0, x0(:), c.names, S, sizes);
-  c.x0 = S(:);
 endfunction
 
 function no_options_alone (who, o)
@@ -74,7 +68,7 @@ function can (who, m, o)
   elseif (! isempty (o.motion) && ! any (strcmp (m.subroutines, "cmp")))
     error (["%s: option sensitivity needs the subroutine CMP with a planned motion (request " ...
             "sensitivity), which %s was emitted without"], who, m.name);
-  elseif (ischar (o.input) || is_function_handle (o.input) && ! o.of_time)
+  elseif (ischar (o.input) || is_function_handle (o.input) && ! of_time (o.input))
     bad = ["an input that may depend on the states; expected constants, a piecewise polynomial " ...
            "or a function @(t, x) in whose text x is not used"];
   elseif (is_function_handle (o.input) && ! isempty (o.gain))
@@ -112,43 +106,23 @@ function S = start_values (who, o, nx, n)
   endif
 endfunction
 
-## the start S made consistent: coordinates and speeds that are fixed keep theirs, the others follow
-function S = on_constraints (who, m, o, t, x, S, columns)
-  d = m.sizes;
-  for name = {"con", "tan", "cop"}
-    if (! any (strcmp (m.subroutines, name{1})))
-      error ("%s: option sensitivity needs the subroutine %s, which %s was emitted without", ...
-             who, toupper (name{1}), m.name);
+## those of option fixed, or the actuated ones
+function fixed = fixed_coordinates (who, m, o)
+  names = cellstr (o.fixed)(:)';
+  if (isempty (o.fixed))
+    names = m.coordinates(m.actuated)(:)';
+  endif
+  for name = names
+    if (! any (strcmp (name{1}, m.coordinates)))
+      error ("%s: option fixed: unknown coordinate %s", who, ...
+             gs.text.nearest_word (name{1}, m.coordinates));
     endif
   endfor
-  if (d.nq != d.nu)
-    error (["%s: option sensitivity: no derivatives with loops in a scene whose speeds are not " ...
-            "the rates of its coordinates"], who);
-  endif
-  names = cellstr (o.fixed);
-  what = "option fixed (default: the actuated coordinates)";
-  if (isempty (o.fixed))
-    names = m.coordinates(m.actuated);
-    if (isempty (names))
-      what = sprintf ("option fixed (no coordinate of %s is actuated: give those that keep %s)", ...
-                      m.name, "their place at the start");
-    endif
-  endif
-  q = 1:d.nq;
-  u = d.nq + (1:d.nu);
-  [~, ~, k] = gs.linear.independent_speeds (who, what, m, t, x(q), x(u), names);
-  rest = setdiff (q, k);
-  [DP, DV] = m.tan (t, x);
-  [PP, PV] = m.cop (t, x);
-  [~, ~, H] = m.con (t, x(q), x(u));
-  PP = by_columns (PP, columns);
-  PV = by_columns (PV, columns);
-  positions = any (DP != 0, 2);
-  S(rest,:) = -DP(positions,rest) \ (PP(positions,:) + DP(positions,k) * S(k,:));
-  S(u(rest),:) = -H(:,rest) \ (PV + DV * S(q,:) + H(:,k) * S(u(k),:));
+  fixed = double (ismember (m.coordinates(:)', names));
 endfunction
 
-function A = by_columns (P, columns)
-  P = [zeros(rows (P), 1), P];
-  A = P(:,1+columns);
+## is an input a function of time, by its text?
+function is = of_time (f)
+  part = regexp (func2str (f), '^@\(\s*\w+\s*,\s*(\w+)\s*\)(.*)$', "tokens", "once");
+  is = ! isempty (part) && ! any (strcmp (regexp (part{2}, '\w+', "match"), part{1}));
 endfunction

@@ -1,11 +1,10 @@
-## [text, id] = gs.run.failure_text (m, info, stats, said, last)
-## Why a run of the model M, which has its parameters, ended: INFO of GSSIM, its statistics STATS
-## (share/engine/core/gsmbp/statistics.h), what its method SAID, and the LAST state, a
-## struct with x and v (empty where there is none).  ID: that of an error that says so.
+## [text, id] = gs.run.failure_text (m, text, info, stats, last)
+## Why a run of the model M, which has its parameters, ended: TEXT of the engine and what its LAST
+## state adds, a struct with x and v (empty where there is none).  INFO, STATS: how it ended
+## (share/engine/core/gsmbp/statistics.h).  ID: that of an error that says so.
 
-function [text, id] = failure_text (m, info, stats, said, last)
+function [text, id] = failure_text (m, text, info, stats, last)
   id = "gsmbp:info";
-  text = m.module ("failure", info, stats, said);
   if (info == 3 && stats.failed == 8)
     if (stats.failed_info < 4)
       id = "gsmbp:start";
@@ -15,9 +14,6 @@ function [text, id] = failure_text (m, info, stats, said, last)
   endif
   text = [text, fastest(m, stats.reached, last, info), ...
           no_derivative(m, stats.reached, last, info)];
-  if (! isempty (last))
-    text = [text, gs.start.outside_range(m, stats.reached, last.x, last.v)];
-  endif
 endfunction
 
 ## the rows of the constraints that are dependent in the LAST state

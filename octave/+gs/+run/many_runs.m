@@ -45,10 +45,8 @@ function [x, v, y, info, counted, margins, stats, seconds, lanes, events, said] 
   if (any (good))
     of = {@(x) x(good(1:size (x, 1)),:), @(x) x}{1 + all(good)};
     [parts{1:6}, seconds, lanes, events, parts{7}, text, parts{8}] = ...
-        p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
-                    gs.model.parameter_values (p.m), of (rows.table), of (rows.starts), ...
-                    of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
-                    rows.lanes);
+        m.module ("ensemble", m.cst, p.given, nnz (good), rows.which, of (rows.table), ...
+                  of (rows.starts), of (rows.inputs), rows.threads, rows.lanes);
   endif
   if (! all (good))
     for i = 1:8
@@ -158,7 +156,11 @@ function text = reason (p, rows, i, info, stats, said, last)
   if (info(1) == 3 && stats.failed == 7 && stats.failed_info == 13 && ! isempty (last))
     text = gs.events.wrong_mode (m, p.times(1), last.x, p.o.modes, stats.cause);
   else
-    text = gs.run.failure_text (m, info(1), stats, said, last);
+    text = m.module ("failure", info(1), stats, said);
+    if (! isempty (last) && stats.failed != 8)
+      text = [text, gs.start.outside_range(m, stats.reached, last.x, last.v)];
+    endif
+    text = gs.run.failure_text (m, text, info(1), stats, last);
     if (info(1) == 3 && stats.failed == 9)   # GS_BEFORE_START of gsmbp/failures.h
       [~, remedy] = gs.start.verdict_words (stats.failed_info);
       text = [text remedy];

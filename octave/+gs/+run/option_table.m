@@ -1,12 +1,11 @@
-## table = gs.run.option_table (drift)
-## Return the options of gsmbp_simulate (share/engine/core/gsmbp/options.h): name, default (DRIFT
-#for # "drift"), kind. The default NaN of rtol is that of the table; no user can give it, so that a
-## tolerance that is not used can be reported.
+## table = gs.run.option_table ()
+## Return the options of gsmbp_simulate (share/engine/core/gsmbp/options.h): name, default, kind.
+## The default NaN of rtol is that of the table; no user can give it, so that a tolerance that is
+## not used can be reported.
 
-function table = option_table (drift)
+function table = option_table ()
   persistent made = read_table ();
   table = made;
-  table{strcmp (table(:,1), "drift"),2} = drift;
 endfunction
 
 function table = read_table ()

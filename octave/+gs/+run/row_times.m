@@ -1,13 +1,13 @@
-## t = gs.run.row_times (m, t, wanted)
-## The times that stand for the rows T of a run of the model M: where the scene switches in one of
-## the WANTED output times the row has what was before, as the inputs in it, but for the first one.
+## t = gs.run.row_times (m, t)
+## The times that stand for the rows T of a run of the model M: where the scene switches the row has
+## what was before, as the inputs in it, but for the first one.
 
-function t = row_times (m, t, wanted = t)
+function t = row_times (m, t)
   at = gs.run.switch_times (m);
   if (isempty (at) || isempty (t))
     return;
   endif
-  left = ismember (t, at) & ismember (t, wanted);
+  left = ismember (t, at);
   left(1) = false;
   t(left) = gs.run.just_before (t(left));
 endfunction

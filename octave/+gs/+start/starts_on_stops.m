@@ -1,12 +1,13 @@
-## gs.start.starts_on_stops (who, m, t, x, names, S, sizes)
-## An error where a run with derivatives starts at rest on a stop (variant event) that moves with
-## one of the parameters NAMES (of these SIZES) while the start, whose derivatives are the columns
-## of S, does not: the run of another parameter would begin beside the stop, or beyond it.
+## gs.start.starts_on_stops (who, p, x)
+## An error where the run P (gs.run.plan_run), which carries derivatives, starts at rest on a stop
+## (variant event) that moves with one of its parameters while the start does not: the run of
+## another parameter would begin beside the stop, or beyond it.  X: the start with its derivatives
+## behind it.
 
-function starts_on_stops (who, m, t, x, names, S, sizes)
-  if (isempty (m.events))
-    return;
-  endif
+function starts_on_stops (who, p, x)
+  [m, t, names, sizes] = deal (p.m, p.times(1), p.carried.names, p.carried.sizes);
+  S = reshape (x(m.sizes.nx+1:end), m.sizes.nx, []);
+  x = x(1:m.sizes.nx);
   for port = find (strcmp ({m.events.kind}, "stop"))
     for side = 1:2
       [gap, rate] = gap_of (m, t, x, port, side);

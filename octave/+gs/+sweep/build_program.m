@@ -11,8 +11,8 @@ function file = build_program (who, s, p, records, folder)
   gs.sweep.check_place (who, folder, records{1,2});
   folder = make_absolute_filename (folder);
   gs.files.make_folder (who, folder);
-  library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');   # the method
-  records = [records; run_records(s, p, library); plan_records(p)];
+  library = library_of (p.method);
+  records = [records; run_records(s, p, library); plan_records(s, p)];
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
        gs.model.sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
@@ -41,12 +41,16 @@ function records = run_records (s, p, library)
              "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
 endfunction
 
-function records = plan_records (p)
-  [a, m] = deal (p.arguments, p.m);
-  [ip, rp, iopt, sizes] = m.module ("job", a{:});
-  records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
-             "atol", a{10}; "guess", a{12}; "order", a{15}(1); "index2", a{15}(2)
-             "follows", a{15}(3:end); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes};
+## what a run calls besides gs_integrate
+function word = library_of (method)
+  row = gs.run.method_row (method);
+  word = struct ("core", "", "both", "radau", "engine", method, "library", method).(row.by);
+endfunction
+
+function records = plan_records (s, p)
+  [~, which] = ismember (s.names, fieldnames (p.m.par));
+  job = p.m.module ("job", p.m.cst, p.given, which, s.table);
+  records = [fieldnames(job), struct2cell(job)];
 endfunction
 
 function take_sources (who, m, folder)

@@ -100,7 +100,7 @@ function b = chunk (s, i, left)
   if (left <= 0)
     return;
   endif
-  s.plan.arguments{end} = {left, 0}{1 + isinf(left)};   # timeout
+  s.plan.given.timeout = {left, 0}{1 + isinf(left)};
   e = gs.run.many_runs (s.who, s.plan, gs.sweep.run_rows (s, i));
   [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
   if (isfield (e, "outside"))

@@ -17,7 +17,7 @@ function [o, rest] = sweep_options (who, m, pairs)
            "resume", false, "flag"
            "chunk", 16384, "whole"};
   [names, values] = gs.given.name_value_pairs (who, "option", pairs);
-  known = gs.run.option_table (false);
+  known = gs.run.option_table ();
   known = setdiff (known(:,1), {"timeout"});
   k = find (! ismember (names, [table(:,1); known]), 1);
   if (! isempty (k))

@@ -4,18 +4,11 @@
  * subroutine pendulum_rhs_ with its arguments by address; so do the others for the members of
  * gs_scene with their names. The rates of an audit, rha, are a gs_rhs, too, margins of
  * devices, mar, a gs_mar of host/start.h. vin calls the user's GSVIN; its data is a
- * gs_fortran_inputs. */
+ * gs_fortran_inputs of that header. */
 #ifndef GSMBP_HOST_FORTRAN_SCENE_H
 #define GSMBP_HOST_FORTRAN_SCENE_H
 
-#include "gsmbp/scene.h"
-
-/* what GSVIN is called with next to time and states */
-typedef struct
-{
-  const int *ip;
-  const gs_real *rp, *cst;
-} gs_fortran_inputs;
+#include "host/start.h"
 
 #define GS_FORTRAN_rhs(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \

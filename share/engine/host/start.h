@@ -18,6 +18,13 @@ extern "C" {
 typedef void gs_mar (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *g,
                      gs_real *size);
 
+/* what the subroutine GSVIN of a user is called with next to time and states */
+typedef struct
+{
+  const int *ip;
+  const gs_real *rp, *cst;
+} gs_fortran_inputs;
+
 /* what a start needs of a scene besides its table; numbers of states count from 0, those of
  * constraints from 1. A null pointer: the host does not have it. */
 typedef struct gs_description
@@ -51,6 +58,8 @@ typedef struct gs_description
   int order;                        /* highest derivative of a planned motion that cmd reads */
   int nfollowed;
   const int *followed;              /* states of devices that inputs of a motion follow, from 1 */
+  int fortran_inputs;               /* 1: the data of scene->vin are a gs_fortran_inputs of a run */
+  const struct gs_lane_routines *lanes; /* of ensembles (host/ensemble) */
 } gs_description;
 
 /* a start that is asked for */

@@ -23,7 +23,7 @@ gs_loop_ensemble (gs_run_options *o, const gs_run_start *s, const gs_run_inputs 
 {
   o->ask = ask;
   o->asked = over;
-  return gs_run_rows (gs_loop_about (), o, s, in, rows, threads, results, r);
+  return gs_run_rows (gs_loop_about (), o, s, in, rows, threads, results, NULL, r);
 }
 
 /* bytes of the structures that Python fills as well */

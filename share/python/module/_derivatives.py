@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from ._grazing import CHANGES, EVENTS, grazed
-from ._library import LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
+from ._library import LIBRARY, NAME, ROUTINES, SIZES, TABLE
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 KNOWN = list(TABLE.get('sensitivity') or [])   # parameters of RHP, in its order
@@ -182,11 +182,8 @@ class Carried:
         """Those of held outputs, and of inputs that follow a motion or feedback."""
         n = len(r.t)
         V = np.zeros((NV, self.n, n), order='F')
-        times = np.ascontiguousarray(r.t)
-        if n and NV and LIBRARY.gs_derivatives_followed(self.run):
-            LIBRARY.gs_derivatives_of_inputs(
-                self.run, ctypes.c_int(n), at(times), result.pointer('x'),
-                ctypes.c_int(result.nx), result.pointer('v'), ctypes.c_int(result.ldv), at(V))
+        if result.dv:
+            V = result.array('dv', (NV, self.n, n))
         numbers = _ADDRESS()
         count = LIBRARY.gs_derivatives_held(self.run, ctypes.byref(numbers))
         if count < 0:

@@ -212,6 +212,67 @@ refusals (void)
   gs_free_result (&r);
 }
 
+static void
+every_second (const gs_real *cst, gs_real *period, gs_real *delay)
+{
+  (void)cst;
+  period[0] = 1;
+  delay[0] = 0;
+}
+
+static void
+no_samples (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, gs_real *v)
+{
+  (void)k, (void)t, (void)y, (void)xk, (void)cst, (void)v;
+}
+
+/* a run of another scene, start or inputs is refused */
+static void
+refused_run (const char *what, const gs_description *d, const gs_run_options *o,
+             const gs_run_start *s, const gs_run_inputs *in, int why, const char *words)
+{
+  gs_run_result r;
+  check (what, gs_run (d, o, s, in, &r) != 0 && r.refused == why && strstr (r.text, words) != NULL);
+  gs_free_result (&r);
+}
+
+/* what a scene lacks for its inputs, its devices, the way of its loops */
+static void
+lacking (void)
+{
+  static const int one[] = { 1 };
+  const gs_real gain[] = { 0, 1, 1, 1 }, long_times[] = { 0, GS_R (1e10) };
+  gs_run_options o = gs_default_options ();
+  gs_run_inputs in = { .kind = 3 };
+  gs_run_start s = start;
+  refused_run ("inputs of a scene that has none are refused", &about, &o, &s, &in,
+               GS_REFUSED_ROUTINE, "the run needs the subroutine VIN, which spring");
+  o.audit = 1;
+  in = (gs_run_inputs){ .gain = { 2, 1, 1, gain } };
+  refused_run ("an audit with feedback is refused", &about, &o, &s, &in, GS_REFUSED_OPTION,
+               "feedback");
+  gs_scene other = scene;
+  gs_description d = about;
+  d.scene = &other;
+  o = gs_default_options ();
+  in = none;
+  other.nctl = other.nheld = 1;
+  other.held_counts = other.again = other.held_inputs = one;
+  refused_run ("a device without its subroutine is refused", &d, &o, &s, &in, GS_REFUSED_ROUTINE,
+               "CTL");
+  other.ctl = no_samples;
+  other.ctp = every_second;
+  s.nt = 2;
+  s.times = long_times;
+  refused_run ("1e10 samples are refused", &d, &o, &s, &in, GS_REFUSED_SAMPLES, "2e9 samples");
+  other = scene;
+  other.nlam = 1;
+  o.loops = "svd";
+  o.drift = 0;
+  refused_run ("a way that projects needs PRJ", &d, &o, &start, &in, GS_REFUSED_ROUTINE,
+               "the way \"svd\" needs the subroutine PRJ, which spring was emitted without");
+}
+
 /* ------------------------------------------------------------ a device that counts its samples */
 
 static int
@@ -274,5 +335,6 @@ main (void)
   audit ();
   ended ();
   refusals ();
+  lacking ();
   return 0;
 }

@@ -35,6 +35,11 @@
   ROW (index2_method, "the way \"index2\" of the loops is for method \"radau\" (or \"auto\"), " \
        "found method %s")                                                                          \
   ROW (no_loops, "%s has no loops; expected another way of them, or none, found \"index2\"")       \
+  ROW (routine, "%s needs the subroutine %s, which %s was emitted without")                        \
+  ROW (fixed, "expected %d of the coordinates, those that keep their place at the start "          \
+       "(default: the actuated ones) and from which the motion of the others follows; found %s")   \
+  ROW (no_loop_method, "%s was derived without the ways nullspace, svd and kane (it has no "       \
+       "parameter loop_method): derive the scene again")                                           \
   ROW (no_sundials, "method \"cvode\" needs SUNDIALS 6 or 7, which is not installed (Debian: "     \
        "libsundials-dev)")                                                                         \
   ROW (input, "expected %d finite numbers (%s), a piecewise polynomial, %s, found %s")             \

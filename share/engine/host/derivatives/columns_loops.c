@@ -54,7 +54,7 @@ eliminate (const small_system *y, int row, int column)
     }
 }
 
-/* 0 where the columns of A are dependent */
+/* how many columns of A are independent; solved where all of them are */
 static int
 solve (const small_system *y)
 {
@@ -69,12 +69,12 @@ solve (const small_system *y)
       const gs_real most = find_pivot (y, &row, &column);
       first = gs_max (first, most);
       if (! (most > (gs_real)1e-9 * first))
-        return 0;
+        return k;
       y->used[row] = 1;
       y->where[column] = row;
       eliminate (y, row, column);
     }
-  return 1;
+  return y->n;
 }
 
 /* -------------------------------------------------------------------------------- the columns */
@@ -120,16 +120,24 @@ fill_system (const gs_derivatives *d, const gs_real *x, const loop_rows *r, cons
     }
 }
 
-/* what the event has not set follows from the rows; 0: these leave a choice */
-static int
-follow (gs_derivatives *d, gs_real *x, const loop_rows *r)
+/* that of the rows */
+static small_system
+system_of (gs_derivatives *d, const gs_real *x, const loop_rows *r)
 {
   small_system y = { d->inner.nlam, 0, d->nc, d->loops.system, d->loops.where, d->loops.used };
   for (int j = 0; j < r->n; j++)
     if (! d->loops.set[r->from + j])
       d->loops.free[y.n++] = j;
   fill_system (d, x, r, &y);
-  if (! solve (&y))
+  return y;
+}
+
+/* what the event has not set follows from the rows; 0: these leave a choice */
+static int
+follow (gs_derivatives *d, gs_real *x, const loop_rows *r)
+{
+  const small_system y = system_of (d, x, r);
+  if (solve (&y) < y.n)
     return 0;
   for (int k = 0; k < d->nc; k++)
     for (int j = 0; j < y.n; j++)
@@ -226,6 +234,18 @@ gs_derivatives_start (gs_derivatives *d, gs_real t, gs_real *x, const int *fixed
     d->loops.set[i] = d->loops.set[d->inner.nq + i] = fixed[i];
   const int found = start_rows (d, x, 0);
   return found != 0 ? found : start_rows (d, x, 1);
+}
+
+int
+gs_derivatives_freedoms (gs_derivatives *d, gs_real t, const gs_real *x)
+{
+  const loop_rows r = { d->inner.nq, d->inner.nu, d->rows.hc, d->loops.b };
+  if (read_rows (d, t, x) != 0)
+    return 0;
+  for (int i = 0; i < d->inner.nx; i++)
+    d->loops.set[i] = 0;
+  const small_system y = system_of (d, x, &r);
+  return d->inner.nu - solve (&y);
 }
 
 void

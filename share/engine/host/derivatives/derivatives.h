@@ -60,6 +60,9 @@ enum
 };
 int gs_derivatives_start (gs_derivatives *d, gs_real t, gs_real *x, const int *fixed);
 
+/* how many coordinates of a closed chain in the state x the motion of the others follows from */
+int gs_derivatives_freedoms (gs_derivatives *d, gs_real t, const gs_real *x);
+
 /* ---------------------------------------------------------------------------- behind the run */
 
 /* why column k (from 0) has no derivatives from some event on: 0: it has; */

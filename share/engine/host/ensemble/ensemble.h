@@ -11,7 +11,6 @@
 #include <stddef.h>
 
 #include "gsmbp/integrate.h"
-#include "host/fortran_scene.h"
 #include "host/implicit/implicit.h"
 #include "host/start.h"
 
@@ -138,6 +137,7 @@ typedef struct
   int *nevents;             /* n: how many */
   char **said;              /* n: texts of members that have one; null before, then of malloc */
   int no_memory;            /* 0 before; 1: something is missing */
+  int in_lanes;             /* of gs_run_rows: 1: they were in lanes */
 } gs_results;
 
 /* a gs_take_member whose argument is a gs_results */

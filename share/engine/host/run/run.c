@@ -28,11 +28,13 @@ make_room (gs_whole_run *w)
   const size_t x = many (r->nx, r->nt), v = many (r->ldv, r->nt), y = many (s->ny, r->nt);
   const size_t nx = many (r->nx, 1), nt = many (r->nt, 1), cst = many (w->d->ncst, 1);
   const size_t numbers = x + v + y + 2 * nx + nt + cst;
+  const size_t dv = w->o->ncolumns > 0 ? 2 * ((v * (size_t)w->o->ncolumns + 1) / 2) : 0;
   const size_t wholes = many (GS_ON_SPEEDS + 1 + w->d->nspeedrows, 1);
-  r->room = calloc (1, numbers * sizeof (gs_real) + wholes * sizeof (int));
+  r->room = calloc (1, dv * sizeof (double) + numbers * sizeof (gs_real) + wholes * sizeof (int));
   if (! r->room)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the run");
-  r->x = r->room;
+  r->dv = r->room;   /* an even number of them: those of quad precision stand behind */
+  r->x = (gs_real *)(r->dv + dv);
   r->v = r->x + x;
   r->y = r->v + v;
   r->atol = w->atol = r->y + y;
@@ -40,6 +42,8 @@ make_room (gs_whole_run *w)
   r->times = w->x0 + nx;
   r->cst = r->times + nt;
   w->iopt = (int *)(r->cst + cst);
+  for (size_t k = 0; k < x; k++)   /* where the run does not come */
+    r->x[k] = (gs_real)NAN;
   memcpy (r->times, w->s->times, nt * sizeof (gs_real));
   memcpy (w->x0, w->s->x0, (size_t)s->nx * sizeof (gs_real));
   if (w->o->dx0 && w->o->ncolumns > 0)
@@ -64,14 +68,24 @@ gs_free_result (gs_run_result *r)
 
 /* --------------------------------------------------------------------------------------- start */
 
+/* where the solution of a planned motion begins */
+static void
+guess_motion (gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  if (s->nq == s->nu)
+    memcpy (w->w, w->x0, (size_t)s->nu * sizeof (gs_real));
+}
+
 static int
 take_start (gs_whole_run *w)
 {
   const gs_start_given g = { .t = w->s->times[0], .cst = w->r->cst, .par = w->s->par,
                              .check = ! w->o->project, .modes = w->s->modes };
-  if (gs_take_start (w->d, &g, w->x0, &w->r->start) == GS_START_TAKEN)
-    return 0;
-  return gs_refuse (w->r, GS_REFUSED_START, "", "%s", w->r->start.text);
+  if (gs_take_start (w->d, &g, w->x0, &w->r->start) != GS_START_TAKEN)
+    return gs_refuse (w->r, GS_REFUSED_START, "", "%s", w->r->start.text);
+  guess_motion (w);
+  return 0;
 }
 
 static int
@@ -85,8 +99,10 @@ lay_plan (gs_whole_run *w)
   if (! r->ip || ! r->rp || ! w->w)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the plan");
   gs_lay (&w->plan, r->ip, r->rp);
-  if (w->d->scene->nq == w->d->scene->nu)   /* the guess of a planned motion */
-    memcpy (w->w, w->x0, (size_t)w->d->scene->nu * sizeof (gs_real));
+  guess_motion (w);
+  if (w->in->kind == 2 && r->ip[GS_CLOSED] == 1
+      && gs_lacks (w, w->d->scene->clo != NULL, "the run", "clo"))
+    return 1;
   gs_start first;
   if (gs_check_samples (w->d, w->s->times[0], r->cst, r->ip, r->rp, &first) == GS_START_TAKEN)
     return 0;
@@ -96,7 +112,7 @@ lay_plan (gs_whole_run *w)
 /* ----------------------------------------------------------------------------------------- run */
 
 /* a function of inputs, asked for a side of a jump, is called just before it or behind it, whatever
- * it has in the jump itself */
+ * it has in the jump itself; it may have double precision alone */
 static int
 beside_jumps (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
 {
@@ -104,27 +120,39 @@ beside_jumps (gs_real t, int side, const gs_real *x, int nx, int nv, void *data,
   for (int k = 0; k < w->njumps; k++)
     if (w->jumps[k] >= t && w->jumps[k] <= t)
       {
-        const gs_real apart = gs_max (2 * GS_EPSILON * gs_abs (t), GS_TINY);
+        const gs_real apart = gs_max (2 * gs_max (GS_EPSILON, (gs_real)DBL_EPSILON) * gs_abs (t),
+                                      gs_max (GS_TINY, (gs_real)1e-300));
         return w->in->function (side < 0 ? t - apart : t + apart, side, x, nx, nv, w->in->data, v);
       }
   return w->in->function (t, side, x, nx, nv, w->in->data, v);
+}
+
+/* its routines where this run has others */
+static void
+call_scene (gs_whole_run *w)
+{
+  w->scene = *w->d->scene;
+  if (w->o->audit > 0)
+    w->scene.rhs = w->d->audited;
+  if (w->in->kind == 3 && w->in->function)
+    {
+      w->scene.vin = beside_jumps;
+      w->scene.data = w;
+    }
+  else if (w->d->fortran_inputs)
+    {
+      w->fortran = (gs_fortran_inputs){ w->r->ip, w->r->rp, w->r->cst };
+      w->scene.data = &w->fortran;
+    }
 }
 
 /* with the states, routines and columns that the options ask for */
 static void
 integrate (gs_whole_run *w)
 {
-  const gs_description *d = w->d;
   gs_run_result *r = w->r;
-  gs_scene scene = *d->scene;
+  gs_scene scene = w->scene;
   gs_integration run = gs_prepared_run (w);
-  if (w->o->audit > 0)
-    scene.rhs = d->audited;
-  if (w->in->kind == 3)
-    {
-      scene.vin = beside_jumps;
-      scene.data = w;
-    }
   if (r->derivatives)
     {
       scene = *gs_derivatives_scene (r->derivatives);
@@ -167,6 +195,17 @@ outputs (const gs_whole_run *w)
     }
 }
 
+/* derivatives of inputs that are not held */
+static void
+slopes_of_inputs (const gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  if (! r->derivatives || ! gs_derivatives_followed (r->derivatives))
+    r->dv = NULL;
+  else
+    gs_derivatives_of_inputs (r->derivatives, r->rows, r->times, r->x, r->nx, r->v, r->ldv, r->dv);
+}
+
 /* does a given mode contradict the state, the last one of the run? Then it is refused */
 static int
 refuse_mode (gs_whole_run *w)
@@ -194,8 +233,8 @@ gs_prepare_run (gs_whole_run *w)
   r->nx = d->scene->nx * (1 + w->o->ncolumns) + (audit ? 2 : 0);
   r->nt = w->s->nt;
   r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
-  if (audit && ! d->audited)
-    return gs_refuse (r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
+  if (audit && gs_lacks (w, d->audited != NULL, "option audit", "rha"))
+    return 1;
   return make_room (w) || gs_choose_method (w) || gs_choose_tolerances (w) || gs_choose_loops (w)
          || gs_set_loop_method (w) || gs_lay_inputs (w) || lay_plan (w);
 }
@@ -211,7 +250,10 @@ gs_forget_run (gs_whole_run *w)
 static int
 begin (gs_whole_run *w)
 {
-  return gs_prepare_run (w) || take_start (w) || gs_open_columns (w);
+  if (gs_prepare_run (w) || take_start (w))
+    return 1;
+  call_scene (w);
+  return gs_open_columns (w);
 }
 
 int
@@ -241,7 +283,10 @@ gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
       else if (! refuse_mode (&w))
         gs_tell_failure (&w);
       if (! r->refused)
-        outputs (&w);
+        {
+          outputs (&w);
+          slopes_of_inputs (&w);
+        }
     }
   gs_forget_run (&w);
   return r->refused || r->info != GS_DONE;

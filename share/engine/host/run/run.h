@@ -67,7 +67,8 @@ typedef struct
   const int *planned;   /* motion.nc: numbers of the planned coordinates */
   gs_pieces reference, gain; /* of a state feedback, */
   const gs_real *limits; /* (nv,2): lower and upper ones of what it gives */
-  gs_vin *function;     /* at a jump it is called beside it, on the side that is asked for */
+  gs_vin *function;     /* at a jump it is called beside it, on the side that is asked for; a null
+                           pointer: vin of the scene, which is told the side */
   void *data;
   int nbreaks;
   const double *breaks; /* times at which inputs jump besides [s], in any order */
@@ -97,7 +98,10 @@ typedef struct
   gs_real *x;           /* (nx,nt) */
   gs_real *v;           /* (ldv,nt): inputs, from the left */
   gs_real *y;           /* (ny,nt): outputs, NaN where there are none */
-  gs_real *cst;         /* ncst: with the parameters of the run */
+  gs_real *cst;         /* ncst: with the parameters of the run, */
+  int loop_method;      /* of which the way of the loops needs this one to be so */
+  double *dv;           /* (nv,ncolumns,nt): derivatives of the inputs where these follow a motion,
+                           feedback or a function, else a null pointer */
   int istat[GS_COUNTED];
   gs_real rstat[GS_MEASURED];
   int *ip;              /* the plan, with records of samples and events: gs_planned_samples, */

@@ -5,6 +5,10 @@
 #include "host/run/run.h"
 #include "host/run/stepped.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* a run on its way */
 typedef struct gs_whole_run
 {
@@ -25,6 +29,9 @@ typedef struct gs_whole_run
   int njumps;           /* all of them, */
   gs_real *jumps;       /* with those at its ends */
   gs_plan plan;
+  int pending;          /* places for outputs on their way that other runs by this plan need */
+  gs_scene scene;       /* as this run calls it, on its plan */
+  gs_fortran_inputs fortran;
   gs_real *w;           /* workspace, */
   int lw;
   char said[400];       /* by an implicit method that stopped */
@@ -39,6 +46,9 @@ int gs_choose_tolerances (gs_whole_run *w);
 int gs_choose_loops (gs_whole_run *w);      /* iopt */
 int gs_set_loop_method (gs_whole_run *w);   /* r->cst */
 int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
+
+/* 1 where the routine that what needs is not there, and the run is refused for that */
+int gs_lacks (gs_whole_run *w, int there, const char *what, const char *routine);
 
 /* the parameter loop_method as the way of the loops needs it */
 gs_real gs_wanted_loop_method (const gs_whole_run *w);
@@ -77,4 +87,8 @@ int gs_step_failed (gs_stepped_run *a, int routine, int info);
 gs_real gs_step_beyond (const gs_stepped_run *a, gs_real t, gs_real h);
 void gs_step_keep (gs_stepped_run *a, const gs_dense *e);
 int gs_step_within (gs_stepped_run *a, gs_real t);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

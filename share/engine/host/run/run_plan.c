@@ -23,14 +23,37 @@ add_breaks (gs_whole_run *w, const gs_pieces *p)
     w->jumps[w->njumps++] = p->numbers[k];
 }
 
-/* all times at which inputs jump, rising, and those within the run */
+/* ... and the times at which the scene switches */
+static void
+add_switches (gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  if (s->nsw > 0)
+    s->swi (w->r->cst, w->jumps + w->njumps);
+  w->njumps += s->nsw;
+}
+
+/* K times sorted, each once: how many these are */
+static int
+each_once (gs_real *times, int k)
+{
+  int n = 0;
+  qsort (times, (size_t)k, sizeof *times, by_time);
+  for (int i = 0; i < k; i++)
+    if (n == 0 || times[i] > times[n - 1])
+      times[n++] = times[i];
+  return n;
+}
+
+/* the times at which inputs jump, those within the run; then with those at which the scene
+ * switches, where gs_integrate stops by itself */
 static int
 find_breaks (gs_whole_run *w)
 {
   const gs_run_inputs *in = w->in;
   const gs_pieces *all[] = { &in->table, &in->motion, &in->reference, &in->gain };
   const gs_real t0 = w->s->times[0], end = w->s->times[w->s->nt - 1];
-  int many = in->nbreaks;
+  int many = in->nbreaks + w->d->scene->nsw;
   for (int k = 0; k < 4; k++)
     many += all[k]->np;
   w->jumps = malloc (2 * (size_t)(many + 1) * sizeof *w->jumps);
@@ -41,15 +64,12 @@ find_breaks (gs_whole_run *w)
     add_breaks (w, all[k]);
   for (int k = 0; k < in->nbreaks; k++)
     w->jumps[w->njumps++] = (gs_real)in->breaks[k];
-  qsort (w->jumps, (size_t)w->njumps, sizeof *w->jumps, by_time);
-  int n = 0;
+  w->njumps = each_once (w->jumps, w->njumps);
   for (int k = 0; k < w->njumps; k++)
-    if (n == 0 || w->jumps[k] > w->jumps[n - 1])
-      w->jumps[n++] = w->jumps[k];
-  w->njumps = n;
-  for (int k = 0; k < n; k++)
     if (w->jumps[k] > t0 && w->jumps[k] < end)
       w->breaks[w->nb++] = w->jumps[k];
+  add_switches (w);
+  w->njumps = each_once (w->jumps, w->njumps);
   return 0;
 }
 
@@ -70,12 +90,27 @@ no_mode_given (gs_whole_run *w)
   return 0;
 }
 
-/* outputs that may be on their way and instants that are recorded */
+/* places for outputs on their way, and instants that are recorded, of n devices with these periods
+ * and delays */
+static int
+count_samples (gs_whole_run *w, int n, const double *period)
+{
+  const double t0 = (double)w->s->times[0], end = (double)w->s->times[w->s->nt - 1];
+  for (int k = 0; k < n; k++)
+    if (period[k] > 0 && fmax (fabs (t0), fabs (end)) / period[k] > gs_limits.fixed_steps)
+      return gs_refuse (w->r, GS_REFUSED_SAMPLES, "", "more than 2e9 samples");
+  const int own = gs_pending (n, period, period + n);
+  w->plan.on_the_way = own > w->pending ? own : w->pending;
+  w->plan.instants = w->o->samples ? (int)gs_instants (n, period, period + n, end - t0) : 0;
+  return 0;
+}
+
 static int
 plan_samples (gs_whole_run *w)
 {
   const gs_scene *s = w->d->scene;
   const int n = s->nctl;
+  int fails = 0;
   if (n == 0)
     return 0;
   gs_real *both = malloc (2 * (size_t)n * sizeof *both);
@@ -85,15 +120,13 @@ plan_samples (gs_whole_run *w)
       s->ctp (w->r->cst, both, both + n);
       for (int k = 0; k < 2 * n; k++)
         period[k] = (double)both[k];
-      const double span = (double)(w->s->times[w->s->nt - 1] - w->s->times[0]);
-      w->plan.on_the_way = gs_pending (n, period, period + n);
-      w->plan.instants
-          = w->o->samples ? (int)gs_instants (n, period, period + n, span) : 0;
+      fails = count_samples (w, n, period);
     }
-  const int fails = ! both || ! period;
+  else
+    fails = gs_refuse (w->r, GS_REFUSED_START, "", "there was no memory for the plan");
   free (both);
   free (period);
-  return fails ? gs_refuse (w->r, GS_REFUSED_START, "", "there was no memory for the plan") : 0;
+  return fails;
 }
 
 static int
@@ -112,8 +145,13 @@ gs_lay_inputs (gs_whole_run *w)
 {
   const gs_run_inputs *in = w->in;
   const gs_scene *s = w->d->scene;
-  if (in->kind == 2 && ! s->cmd)
-    return gs_refuse (w->r, GS_REFUSED_ROUTINE, "cmd", "the run needs it");
+  if (in->kind == 2 && gs_lacks (w, s->cmd != NULL, "the run", "cmd"))
+    return 1;
+  if (in->kind == 3 && gs_lacks (w, in->function || s->vin, "the run", "vin"))
+    return 1;
+  if (w->o->audit > 0 && in->gain.np > 0)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "audit", "%s",
+                      "no audit with state feedback from outside");
   w->plan = (gs_plan){
     .s = s, .nx = w->r->nx, .inputs = in->kind, .derivatives = w->d->order,
     .constants = in->constants, .table = in->table, .motion = in->motion, .planned = in->planned,
