@@ -14,6 +14,7 @@
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
 #include "host/ensemble/ensemble.h"
+#include "host/fortran_scene.h"
 #include <string.h>
 
 GSMBP_DECLARE
