@@ -70,8 +70,8 @@
 ## >> gsmbp_modes (m, m.initial, "spin", "theta", "speeds", [0 3 6])
 ## rotating_blade: frequencies [rad/s] by speed [rad/s]
 ##           0 :     3.79773     3.79773        23.8        23.8     66.6406     66.6406
-##           3 :     4.09756     5.07838     25.0739     24.8938     67.8524     67.9187
-##           6 :     4.81399      7.6925     28.5666     27.9294     71.3655     71.6173
+##           3 :     4.09756     5.07838     24.8938     25.0739     67.8524     67.9187
+##           6 :     4.81399      7.6925     27.9294     28.5666     71.3655     71.6173
 ## >> x = m.initial;
 ## >> x(strcmp (m.states, "theta_d")) = 6;
 ## >> r = gsmbp_modes (m, x, "hold", "theta");
@@ -189,6 +189,17 @@ function [r, doubt] = over_speeds (p, x, u, speeds)
     r.shapes(:,row,k) = one.shapes;
     [r.real{k}, r.rigid(k), r.x(:,k)] = deal (one.real, one.rigid, x);
   endfor
+  r = ordered (r);
+endfunction
+## modes that begin with equal frequencies (those of a rotor at rest) by rising frequency later
+function r = ordered (r)
+  f = r.frequency;
+  f(isnan (f)) = Inf;   # later ones
+  [~, order] = sortrows (single (f));   # equal but for rounding
+  for name = {"frequency", "damping", "eigenvalues"}
+    r.(name{1}) = r.(name{1})(order,:);
+  endfor
+  r.shapes = r.shapes(:,order,:);
 endfunction
 function y = padded (y, row)
   y(end+1:max (row),:) = NaN;
