@@ -2,42 +2,86 @@
 // that they were given; gsmbp_ipopt_solve has one by its place.
 #pragma once
 
-#include "transcription_parts.h"
+#include "motion_problem.h"
 
-#include <list>
+#include "gsmbp_program.h"
 
 struct kept_program
 {
+  explicit kept_program (arguments& a)
+    : problem (a), about (*S.about), c (nullptr), sizes (), program ()
+  {
+    about.pre = gsmbp_constants;
+    about.ncst = S.ncst;
+    about.npar = S.npar;
+    const int method = a.integer_within ("method", GS_RADAU_IIA, GS_LOBATTO);
+    const Matrix breaks = a.value ("breaks").matrix_value ();
+    std::vector<int> phase;
+    std::vector<double> begin, end;
+    for (octave_idx_type k = 0; k < breaks.columns (); k++)
+      {
+        phase.push_back (int (breaks(0, k)) - 1);
+        begin.push_back (breaks(1, k));
+        end.push_back (breaks(2, k));
+      }
+    for (const char *name : { "dae", "daj", "dah" })
+      routine (name);
+    const gs_mesh mesh = { method, int (phase.size ()), phase.data (), begin.data (),
+                           end.data () };
+    c = gs_program_new (&about, &problem.get (), &mesh);
+    if (! c)
+      throw std::bad_alloc ();
+    sizes = gs_program_size (c);
+    program.data = c;
+    program.evaluate = gs_program_evaluate;
+  }
+  ~kept_program (void) { gs_program_free (c); }
+  kept_program (const kept_program&) = delete;
+
+  int size_of (int part) const
+  {
+    const int all[] = { 1, sizes.n, sizes.m, sizes.jacobian, sizes.hessian, sizes.functions };
+    return all[part];
+  }
+
+  // rows and columns of the entries, from 1
+  Matrix places (int part) const
+  {
+    const int n = size_of (part);
+    std::vector<int> rows (n + 1), columns (n + 1);
+    gs_program_places (c, part, rows.data (), columns.data ());
+    Matrix m (n, 2);
+    for (int k = 0; k < n; k++)
+      {
+        m(k, 0) = rows[k] + 1;
+        m(k, 1) = columns[k] + 1;
+      }
+    return m;
+  }
+
   int number;
-  transcription t;
+  motion_problem problem;
+  gs_description about;
+  gs_program *c;
+  gs_program_sizes sizes;
   gsmbp_program program;
 };
 
 static std::list<kept_program> the_programs;
 
-extern "C" int
-gsmbp_evaluate_program (void *data, int part, const double *z, double factor,
-                        const double *lambda, double *out)
-{
-  return static_cast<transcription *> (data)->evaluate (part, z, factor, lambda, out);
-}
-
-// (constants, transcription): the number of the program
+// (constants, parameters, problem, method, breaks): the number of the program, the places of its
+// Jacobian and Hessian
 static octave_value_list
 do_program (arguments& a, int)
 {
   const int most = 20;
   static int count = 0;
-  const reals cst = a.constants ();
-  the_programs.push_back ({ ++count,
-                            transcription (a.value ("program").scalar_map_value (), cst),
-                            gsmbp_program () });
+  the_programs.emplace_back (a);
   kept_program& k = the_programs.back ();
-  k.program.data = &k.t;
-  k.program.evaluate = gsmbp_evaluate_program;
+  k.number = ++count;
   if (the_programs.size () > most)
     the_programs.pop_front ();
-  return ovl (count);
+  return ovl (count, k.places (GS_JACOBIAN), k.places (GS_HESSIAN));
 }
 
 static kept_program&
@@ -63,13 +107,13 @@ do_program_at (arguments& a, int)
 static octave_value_list
 do_program_part (arguments& a, int)
 {
-  transcription& t = program_of (a).t;
-  const int part = a.integer_within ("part", GSMBP_GOAL, GSMBP_FUNCTIONS);
-  Matrix z = a.matrix ("point", t.unknowns (), 1);
+  kept_program& k = program_of (a);
+  const int part = a.integer_within ("part", GS_GOAL, GS_FUNCTIONS);
+  const Matrix z = a.matrix ("point", k.sizes.n, 1);
   const double factor = double (a.scalar ("factor"));
-  Matrix lambda = a.matrix ("multipliers", part == GSMBP_HESSIAN ? t.equations () : -1, 1);
-  Matrix out (t.size_of (part), 1, no_number);
-  if (! t.evaluate (part, z.data (), factor, lambda.data (), out.fortran_vec ()))
+  const Matrix lambda = a.matrix ("multipliers", part == GS_HESSIAN ? k.sizes.m : -1, 1);
+  Matrix out (k.size_of (part), 1, no_number);
+  if (! gs_program_evaluate (k.c, part, z.data (), factor, lambda.data (), out.fortran_vec ()))
     out.fill (no_number);
   return ovl (out);
 }
@@ -78,19 +122,18 @@ do_program_part (arguments& a, int)
 static octave_value_list
 do_program_time (arguments& a, int)
 {
-  transcription& t = program_of (a).t;
+  kept_program& k = program_of (a);
   const int repetitions = a.integer_within ("repetitions", 1, 1000000);
-  Matrix z = a.matrix ("point", t.unknowns (), 1), lambda = a.matrix ("multipliers",
-                                                                     t.equations (), 1);
-  std::vector<double> out (std::max (t.size_of (GSMBP_JACOBIAN),
-                                     std::max (t.size_of (GSMBP_HESSIAN), t.unknowns ())));
+  Matrix z = a.matrix ("point", k.sizes.n, 1);
+  const Matrix lambda = a.matrix ("multipliers", k.sizes.m, 1);
+  std::vector<double> out (std::max ({ k.sizes.jacobian, k.sizes.hessian, k.sizes.n, k.sizes.m }));
   double least = 1e300;
-  for (int k = 0; k < repetitions; k++)
+  for (int i = 0; i < repetitions; i++)
     {
       z(0) += 1e-3;
       auto begin = std::chrono::steady_clock::now ();
-      for (int part = GSMBP_GOAL; part <= GSMBP_HESSIAN; part++)
-        t.evaluate (part, z.data (), 1, lambda.data (), out.data ());
+      for (int part = GS_GOAL; part <= GS_HESSIAN; part++)
+        gs_program_evaluate (k.c, part, z.data (), 1, lambda.data (), out.data ());
       least = std::min (least, std::chrono::duration<double> (std::chrono::steady_clock::now ()
                                                              - begin).count ());
     }

@@ -92,8 +92,8 @@ function program (m)
                     "products", [2 2 0.3; 5 1 -0.7]);
     p.singular = struct ("input", 1, "from", 0, "until", 1, "weight", 40);
     p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
-    c = gs.collocation.transcribe_problem (m, p, mesh);
-    f = gs.collocation.compile_transcription (m, c);
+    c = gs.collocation.make_program (m, p, mesh);
+    f = c.program;
     z = [0.5 + 0.3 * sin((1:c.n-2)'); 0.21; 1.1];
     l = cos (1:c.m)';
     at = f ("places");

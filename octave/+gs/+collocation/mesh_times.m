@@ -1,5 +1,5 @@
 ## t = gs.collocation.mesh_times (c, T)
-## The times of the points of a transcription C whose phases last T [s], a row.
+## The times of the points of a program C whose phases last T [s], a row.
 
 function t = mesh_times (c, T)
   before = [0, cumsum(T(:)')(1:end-1)];

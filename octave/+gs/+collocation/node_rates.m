@@ -1,5 +1,5 @@
 ## f = gs.collocation.node_rates (c, F, ud)
-## The rates of the states at all points of a transcription C: of coordinates and devices among the
+## The rates of the states at all points of a program C: of coordinates and devices among the
 ## functions F of DAE, of speeds the accelerations UD.
 
 function f = node_rates (c, F, ud)

@@ -15,6 +15,7 @@ function rule = quadrature_rule (name)
                          (296+169*s)/1800, (88+7*s)/360, (-2-3*s)/225
                          (16-s)/36, (16+s)/36, 1/9]);
   endif
+  rule.name = name;
   rule.own = find (rule.c > 0);
   rule.b = rule.A(end,:);
 endfunction

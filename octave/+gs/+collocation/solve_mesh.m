@@ -1,12 +1,12 @@
 ## s = gs.collocation.solve_mesh (who, m, p, mesh, guess, o)
-## The program of gs.collocation.transcribe_problem on MESH solved by Ipopt from GUESS (t from 0 to
+## The program of gs.collocation.make_program on MESH solved by Ipopt from GUESS (t from 0 to
 ## 1, x, v, ud, lambda, T, parameters).  S: c, z, t, x, ud, lambda, v, T, parameters, F (functions),
 ## g, low, high, multipliers, stopped ("", "interrupted", "timeout" at O.ends), and what
 ## gs.run.run_ipopt tells.
 
 function s = solve_mesh (who, m, p, mesh, guess, o)
-  c = gs.collocation.transcribe_problem (m, p, mesh);
-  f = gs.collocation.compile_transcription (m, c);
+  c = gs.collocation.make_program (m, p, mesh);
+  f = c.program;
   q = struct ("f", f ("native"), "glow", c.glow, "ghigh", c.ghigh);
   places = f ("places");
   [q.jac, q.hess] = places{:};
@@ -31,9 +31,9 @@ function s = solve_mesh (who, m, p, mesh, guess, o)
   s.high = q.high;
   s.F = f ("functions", r.x);
   s.f = s.plain = f;
-  if (! isempty (c.rough))
-    s.plain = gs.collocation.compile_transcription (m, gs.collocation.transcribe_problem (m, ...
-        rmfield (p, "singular"), mesh));
+  if (c.smooth)
+    plain = gs.collocation.make_program (m, rmfield (p, "singular"), mesh);
+    s.plain = plain.program;
     s.J = s.plain ("f", s.z);
   endif
 endfunction

@@ -10,6 +10,8 @@ function [lists, members] = start_tables (json, emitted)
               "settled", numbers(json, "settled") - 1
               "angles", strcmp(m.units.coordinates, "rad")
               "margin_values", margin_values(json, parameters)};
+  [residuals, places] = collocation (json, parameters);
+  integers = [integers; places];
   texts = {"states", m.states; "events", {m.events.name}; "devices", {m.controllers.name}
            "margins", m.state_margins; "parameters", parameters};
   if (numel (m.multipliers) == m.sizes.nlam)
@@ -29,6 +31,9 @@ function [lists, members] = start_tables (json, emitted)
   members = [members, {sprintf(".nsets = %d, .nspeedrows = %d, .nsettled = %d, .nmargins = %d", ...
                                rows (m.orientation), numel (m.speed_rows), ...
                                numel (numbers (json, "settled")), numel (m.state_margins))}];
+  members{end+1} = sprintf (".nresiduals = %d, .njacobian = %d, .nhessian = %d, .nunknown = %d", ...
+                            residuals, columns (places{1,2}), columns (places{2,2}), ...
+                            numel (places{3,2}));
   if (any (strcmp (emitted, "mar")))
     members{end+1} = ".mar = run_mar";
   endif
@@ -54,6 +59,22 @@ function list = margin_values (json, parameters)
     [~, places] = ismember (own, parameters);
     list = [list, numel(states), states - 1, numel(own), places(:)' - 1];
   endfor
+endfunction
+
+## where the entries of DAJ and DAH are, the parameters among their unknowns
+function [residuals, places] = collocation (json, parameters)
+  residuals = 0;
+  places = {"jacobian", zeros(2, 0); "hessian", zeros(2, 0); "unknown", []};
+  if (isfield (json, "collocation"))
+    s = json.collocation;
+    residuals = s.residuals;
+    places{1,2} = reshape (s.jacobian, [], 2)' - 1;   # [] where a scene has none
+    places{2,2} = reshape (s.hessian, [], 2)' - 1;
+    if (! isempty (s.parameters))
+      [~, k] = ismember (cellstr (s.parameters), parameters);
+      places{3,2} = k - 1;
+    endif
+  endif
 endfunction
 
 ## constants of C, one after the other

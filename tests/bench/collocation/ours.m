@@ -23,8 +23,8 @@ function [least, f, c] = set_up (m, p, mesh)
   least = Inf;
   for k = 1:5
     begin = tic ();
-    c = gs.collocation.transcribe_problem (m, p, mesh);
-    f = gs.collocation.compile_transcription (m, c);
+    c = gs.collocation.make_program (m, p, mesh);
+    f = c.program;
     f ("places");
     least = min (least, toc (begin));
   end
