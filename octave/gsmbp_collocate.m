@@ -209,7 +209,7 @@ function [s, r] = so_far (who, m, s, before, cut, r, found)
 endfunction
 
 function one = mesh_of (s)
-  one = struct ("intervals", columns (s.c.left), "iterations", rows (s.log) - 1, ...
+  one = struct ("intervals", columns (s.c.left), "iterations", s.iterations, ...
                 "error", s.error, "ended", s.ended);
 endfunction
 

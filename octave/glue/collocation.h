@@ -1,10 +1,9 @@
 // The programs of optimal motions (gsmbp_collocate) that are kept, the last ones, by the numbers
-// that they were given; gsmbp_ipopt_solve has one by its place.
+// that they were given.
 #pragma once
 
+#include "ipopt.h"
 #include "motion_problem.h"
-
-#include "gsmbp_program.h"
 
 struct kept_program
 {
@@ -64,7 +63,7 @@ struct kept_program
   gs_description about;
   gs_program *c;
   gs_program_sizes sizes;
-  gsmbp_program program;
+  gs_nlp program;
 };
 
 static std::list<kept_program> the_programs;
@@ -94,7 +93,7 @@ program_of (arguments& a)
   error ("%s: there is no program %d any more", a.who ().c_str (), number);
 }
 
-// (number): where the program stands, for gsmbp_ipopt_solve
+// (number): the address of its gs_nlp
 static octave_value_list
 do_program_at (arguments& a, int)
 {

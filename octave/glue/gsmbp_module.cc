@@ -68,7 +68,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "choose", do_choose }, { "free", do_free },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
-        { "program", do_program },
+        { "ipopt", do_ipopt }, { "program", do_program },
         { "program at", do_program_at }, { "program part", do_program_part },
         { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },
         { "chk", do_chk }, { "ini", do_ini }, { "failure", do_failure },

@@ -17,8 +17,7 @@ function s = solve_mesh (who, m, p, mesh, guess, o)
   ## of MUMPS: some ten times as fast on these programs as what it does by itself; the adaptive
   ## barrier: a third fewer iterations on the cases of the tests
   o.options = {"mumps_scaling", int32(8), "mumps_pivot_order", int32(4), "mu_strategy", "adaptive"};
-  folder = fullfile (fileparts (fileparts (m.file)), "common");
-  r = gs.run.run_ipopt (who, folder, q, o);
+  r = gs.run.run_ipopt (who, m, q, o);
   s = taken_apart (c, r);
   s.stopped = "";
   if (r.limit && time () >= o.ends)   # the clock of "guarded" interrupts Ipopt, too

@@ -34,7 +34,11 @@ function p = plan_run (who, m, x0, times, o)
   library = "";
   row = gs.run.method_row (p.method);
   if (! strcmp (row.by, "core"))
-    library = gs.model.implicit_library (who, m, strrep (p.method, "auto", "radau"));
+    library = strrep (p.method, "auto", "radau");
+    row = gs.run.method_row (library);
+    if (strcmp (row.by, "library"))
+      library = gs.model.host_library (who, m, library);
+    endif
   endif
   guess = zeros (d.nu, 1);
   if (d.nq == d.nu)
