@@ -342,7 +342,7 @@ struct nlp_words
 };
 
 // (library, a struct with x0, low, high; glow, ghigh; jac, hess: rows and columns of entries; f: a
-// function, or the address of a gs_nlp in a module; a struct with tolerance, iterations,
+// function; a struct with tolerance, iterations,
 // evaluations, seconds, options): a struct as gs_nlp_result, text: the last error of f
 static octave_value_list
 do_ipopt (arguments& a, int)
@@ -361,35 +361,22 @@ do_ipopt (arguments& a, int)
       places[k].push_back (int ((k < 2 ? jac : hess)(i, k % 2)) - 1);
   const int n = int (x0.numel ()), m = int (glow.numel ()), nj = int (jac.rows ()),
             nh = hess.isempty () ? -1 : int (hess.rows ());
-  const octave_value f = p.contents ("f");
-  octave_program asked (f, n, m, nj, nh);
-  gs_nlp nlp = { n, m, x0.data (), low.data (), high.data (), glow.data (), ghigh.data (), nj, nh,
-                 places[0].data (), places[1].data (), places[2].data (), places[3].data (),
-                 &asked, octave_program::evaluate };
+  octave_program asked (p.contents ("f"), n, m, nj, nh);
+  const gs_nlp nlp
+      = { n, m, x0.data (), low.data (), high.data (), glow.data (), ghigh.data (), nj, nh,
+          places[0].data (), places[1].data (), places[2].data (), places[3].data (), &asked,
+          octave_program::evaluate };
   const nlp_words words (o.contents ("options").cell_value ());
   const gs_nlp_options options
       = { number_of ("tolerance"), number_of ("evaluations"), number_of ("seconds"),
           int (number_of ("iterations")), int (words.list.size ()), words.list.data (),
           octave_program::interrupted, &asked };
   nlp_arrays r (n, m);
-  int bad;
-  if (f.is_uint64_type ())
-    {
-      const gs_nlp& own = *reinterpret_cast<const gs_nlp *> (
-          std::uintptr_t (f.uint64_scalar_value ().value ()));
-      nlp.data = own.data;
-      nlp.evaluate = own.evaluate;
-      bad = gsmbp_solve_apart (&nlp, &options, &r.r);
-      the_worker.settle ();
-    }
-  else
-    {
-      while (! the_worker.free ())
-        octave_quit ();
-      bad = the_solver (&nlp, &options, &r.r);
-      if (r.r.interrupted)
-        octave::interpreter::the_interpreter ()->recover_from_exception ();
-    }
+  while (! the_worker.free ())
+    octave_quit ();
+  const int bad = the_solver (&nlp, &options, &r.r);
+  if (r.r.interrupted)
+    octave::interpreter::the_interpreter ()->recover_from_exception ();
   if (bad == 1)
     throw std::bad_alloc ();
   if (bad)

@@ -28,10 +28,14 @@ private:
   const double *numbers (const octave_scalar_map& p, const char *name, int n, double otherwise);
   void read_bounds (const octave_scalar_map& p);
   void read_goal (const octave_scalar_map& p);
+  const char *const *names (const octave_scalar_map& p, const char *name, int n,
+                            std::vector<const char *>& list);
   void read_arcs (const octave_scalar_map& p);
 
   reals m_cst;
   std::list<doubles> m_kept;
+  std::vector<std::string> m_names;
+  std::vector<const char *> m_inputs, m_outputs;
   std::vector<int> m_bounded;
   std::vector<gs_cost_product> m_products;
   std::vector<gs_smooth_arc> m_arcs;
@@ -138,6 +142,19 @@ motion_problem::read_arcs (const octave_scalar_map& p)
   m_p.arcs = m_arcs.data ();
 }
 
+const char *const *
+motion_problem::names (const octave_scalar_map& p, const char *name, int n,
+                       std::vector<const char *>& list)
+{
+  const Cell given = p.isfield (name) ? p.contents (name).cell_value () : Cell (1, n, "");
+  for (int k = 0; k < n; k++)
+    {
+      m_names.push_back (given(k).string_value ());
+      list.push_back (m_names.back ().c_str ());
+    }
+  return list.data ();
+}
+
 motion_problem::motion_problem (arguments& a)
   : m_cst (a.constants ()), m_p (gs_motion_problem ())
 {
@@ -147,4 +164,7 @@ motion_problem::motion_problem (arguments& a)
   read_bounds (p);
   read_goal (p);
   read_arcs (p);
+  m_names.reserve (S.nv + S.ny + 2);
+  m_p.inputs = names (p, "inputs", S.nv, m_inputs);
+  m_p.outputs = names (p, "names", S.ny, m_outputs);
 }

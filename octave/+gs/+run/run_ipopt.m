@@ -2,7 +2,7 @@
 ## A problem solved by Ipopt (host/ipopt) in the module of the model M.  P: a struct with x0, low,
 ## high; glow, ghigh (of the constraints); jac, hess (places of the entries, two columns; hess []:
 ## Ipopt's own by limited memory); f (what, x, factor, lambda) gives "f", "grad", "g", "jac", "hess"
-## as columns, or is the address of a program in the module.  O: tolerance, iterations, evaluations,
+## as columns.  O: tolerance, iterations, evaluations,
 ## seconds, and options, more words of Ipopt with their values. R: x, J, g, lambda, zl, zu, status
 ## (of Ipopt), iterations, ended (a sentence), solved, limit, infeasible, text (the last error of
 ## f), interrupted (x is the last iterate then, multipliers are NaN).

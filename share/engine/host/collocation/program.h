@@ -75,6 +75,7 @@ typedef struct
   const gs_cost_product *products;
   int narcs;
   const gs_smooth_arc *arcs;
+  const char *const *inputs, *const *outputs; /* nv, ny: names, for messages */
   const double *held;                    /* (nv,phases): the inputs; null: they are free */
 } gs_motion_problem;
 
