@@ -58,8 +58,8 @@ program_time (gs_program *c, Matrix z, const Matrix& lambda)
 }
 
 // For tests: (constants, parameters, problem, method, breaks, part, point, factor, multipliers):
-// the numbers of the part; of the Jacobian and the Hessian their rows and columns, too.  Part -1: the
-// unknowns, the equations; -2: program_time
+// the numbers of the part; of the Jacobian and the Hessian their rows and columns, too.  Part -1:
+// the unknowns, the equations; -2: program_time
 static octave_value_list
 do_program (arguments& a, int)
 {
