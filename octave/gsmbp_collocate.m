@@ -116,162 +116,46 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
   gs.given.check_model (who, m);
   gs.given.refuse_words (who, "x0", x0, "xf", xf);
   [p, o] = gs.collocation.read_problem (who, m, x0, xf, varargin);
-  o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
-  [s, found] = refined (who, m, p, o);
-  found.singular = rmfield (found.singular(! [found.singular.held]), "held");
-  r = gs.collocation.motion_result (m, s, found);
-  r.solved = s.solved && s.error <= o.accuracy;
-  r.stopped = s.stopped;
-  gs.run.stopped_word (who, m, 9 * strcmp (s.stopped, "interrupted"), "", false);
-  if (! isempty (s.stopped))
-    r.ended = [gs.run.stopped_text(s.stopped) s.how_far];
-  elseif (s.solved && ! r.solved)
-    r.ended = sprintf (["stopped at the limit of %d refinements: the estimated error of the " ...
-                        "states is %.2g"], o.refinements, s.error);
-  endif
-  r.ended = [r.ended, told(r.singular)];
+  guess = gs.collocation.read_guess (who, m, p, o.guess);
+  library = gs.model.host_library (who, m, "ipopt");
+  r = m.module ("collocate", m.cst, gs.model.parameter_values (m), p, library, o, guess);
+  r = named (m, p, r);
+  gs.run.stopped_word (who, m, 9 * strcmp (r.stopped, "interrupted"), "", false);
   if (! r.solved)
-    warning ("gsmbp:collocation", "%s: %s: %s%s", who, m.name, r.ended, worst (m, s));
+    warning ("gsmbp:collocation", "%s: %s: %s", who, m.name, r.ended);
   endif
 endfunction
 
-## solved on finer and finer meshes; jumps and singular arcs
-function [s, r] = refined (who, m, p, o)
-  r = struct ("active", [], "meshes", [], "switches", zeros (0, 1), "singular", ...
-              gs.collocation.find_singular (m, p, []));
-  n = o.intervals;
-  mesh = struct ("rule", gs.collocation.quadrature_rule (o.method), ...
-                 "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
-  guess = gs.collocation.first_guess (who, m, p, o.guess);
-  before = [];
-  for k = 0:o.refinements
-    [cut, s, errors, q, found] = m.module ("guarded", @() meshed (who, m, p, mesh, guess, o, r), ...
-                                           o.ends - time () + 0.2);
-    if (cut || ! isempty (s.stopped))
-      [s, r] = so_far (who, m, s, before, cut, r, found);
-      break;
-    endif
-    [p, r] = deal (q, found);
-    if (! isempty (r.switches) || ! s.solved || s.error <= o.accuracy)
-      break;
-    endif
-    mesh = gs.collocation.finer_mesh (mesh, errors, o.accuracy);
-    guess = before = s;
+## with names and piecewise polynomials instead of numbers
+function r = named (m, p, r)
+  free = {p.parameters.name};
+  names = struct ("state", {m.states}, "input", {m.inputs}, "output", {m.outputs}, ...
+                  "time", {repmat({"time"}, 1, rows (r.t))}, "parameter", {free});
+  list = struct ("name", {}, "bound", {}, "value", {}, "from", {}, "until", {}, "multiplier", {});
+  for one = r.active
+    list(end+1) = struct ("name", names.(one.of){one.number}, "bound", one.bound, "value", ...
+                          one.value, "from", one.from, "until", one.until, "multiplier", ...
+                          one.multiplier);
   endfor
-endfunction
-
-## solved on a mesh, with what jumps or is singular there
-function [s, errors, p, r] = meshed (who, m, p, mesh, guess, o, r)
-  [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r);
-  if (! isempty (s.stopped))
-    return;
-  endif
-  [polished, r.switches] = gs.collocation.polish_switches (who, m, p, s, o);
-  if (! isempty (r.switches))
-    s = polished;
-    r.meshes = [r.meshes, mesh_of(s)];
-  elseif (isempty (polished.stopped))
-    [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r);
-  else
-    s.stopped = polished.stopped;
-  endif
-endfunction
-
-function [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r)
-  s = gs.collocation.solve_mesh (who, m, p, mesh, guess, o);
-  errors = [];
-  if (! isempty (s.stopped) && ! isempty (r.meshes))   # the mesh before is given back
-    return;
-  endif
-  [s.error, errors] = gs.collocation.mesh_errors (m, s);
-  r.active = gs.collocation.active_limits (m, p, s);
-  r.meshes = [r.meshes, mesh_of(s)];
-endfunction
-
-## what is given back where the search was ended from outside: the mesh BEFORE, if any
-function [s, r] = so_far (who, m, s, before, cut, r, found)
-  word = {"interrupted", "timeout"}{max (1, cut)};
-  if (! cut)
-    word = s.stopped;
-  endif
-  if (! isempty (before))
-    s = setfield (before, "how_far", sprintf ("; solved on %d intervals, with an error of %.2g", ...
-                                              columns (before.c.left), before.error));
-  elseif (cut)
-    error ("gsmbp:stopped", "%s: %s: %s before there was a solution", who, m.name, ...
-           gs.run.stopped_text (word));
-  else
-    s.how_far = " on the first mesh";
-    r = found;
-  endif
-  s.solved = false;
-  s.stopped = word;
-endfunction
-
-function one = mesh_of (s)
-  one = struct ("intervals", columns (s.c.left), "iterations", rows (s.log) - 1, ...
-                "error", s.error, "ended", s.ended);
-endfunction
-
-## singular arcs: solved again where the inputs there were not yet made smooth
-function [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r)
-  again = ! isfield (p, "singular");
-  r.singular = gs.collocation.find_singular (m, p, s);
-  p.singular = gs.collocation.singular_arcs (p, s, r.singular, o.regularize);
-  if (isempty (p.singular))
-    p = rmfield (p, "singular");
-    return;
-  endif
-  for k = 1:numel (p.singular)
-    r.singular(k).weight = p.singular(k).weight;
+  r.active = list;
+  arcs = struct ("input", {}, "name", {}, "from", {}, "until", {}, "ringing", {}, "weight", {});
+  for one = r.singular
+    arcs(end+1) = struct ("input", one.input, "name", m.inputs{one.input}, "from", one.from, ...
+                          "until", one.until, "ringing", one.ringing, "weight", one.weight);
   endfor
-  if (again && o.regularize > 0)
-    [new, errors_, r] = one_mesh (who, m, p, mesh, s, o, r);
-    if (new.solved)
-      s = new;
-      errors = errors_;
-    endif
-    s.stopped = new.stopped;
-  endif
+  r.singular = arcs;
+  r.parameters = cell2struct (num2cell (r.unknown(:)), free(:), 1);
+  r.input = piecewise (r.breaks, r.input, m.sizes.nv);
+  r.motion = piecewise (r.t', r.motion, r.planned);
+  r = rmfield (r, {"unknown", "breaks", "planned"});
 endfunction
 
-function text = told (arcs)
-  text = "";
-  for one = arcs
-    text = sprintf ("%s; %s is singular from %.4g to %.4g s", text, one.name, one.from, one.until);
-    if (one.weight > 0)
-      text = [text, " (made smooth there)"];
-    endif
-  endfor
-endfunction
-
-## what an equation that does not hold says, where none was solved
-function text = worst (m, s)
-  text = "";
-  if (s.solved)
-    return;
+## a piecewise polynomial of N quantities, [] where there are none
+function pp = piecewise (breaks, coefficients, n)
+  pp = [];
+  if (n > 0)
+    pp = mkpp (breaks, reshape (coefficients, n, numel (breaks) - 1, []), n);
   endif
-  [most, k] = max (max (s.c.glow - s.g, s.g - s.c.ghigh));
-  if (most > 1e-6)
-    text = sprintf ("; the equations miss by %.2g at most (%s)", most, named (m, s.c, k));
-  endif
-endfunction
-
-function name = named (m, c, k)
-  [i, j] = find (c.residual == k, 1);
-  if (! isempty (i))
-    names = [strcat({"the equation of motion of "}, m.speeds(:)); ...
-             strcat({"loop "}, m.multipliers(:))];
-    name = names{i};
-    return;
-  endif
-  [i, j] = find (c.path == k, 1);
-  if (! isempty (i))
-    name = ["output " m.outputs{c.bounded(i)-c.output}];
-    return;
-  endif
-  i = mod (k - c.defect(1), c.d.nx) + 1;
-  name = ["state " m.states{i}];
 endfunction
 
 %!error <DAE, DAJ, DAH>

@@ -182,7 +182,6 @@ function P = problem (who, m, free, goal, demands, cases)
   P.base = m;
   P.used = 1:numel (P.cases);
   P.given = struct ();
-  P.folder = fullfile (fileparts (fileparts (m.file)), "common");
   P.why = {};
   for c = P.cases
     [P.exact.(c.name), why] = gs.optimize.exact_slopes (m, P.free, c, fields (P, c));

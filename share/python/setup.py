@@ -41,7 +41,7 @@ def run_time(compiler, folder):
     os.chdir(os.path.join(HERE, 'c'))
     try:
         names = [name for name in sorted(glob.glob('**/*.[ch]', recursive=True))
-                 if os.path.dirname(name) not in ('scene', 'host/cvode')]
+                 if os.path.dirname(name) not in ('scene', 'host/cvode', 'host/ipopt')]
         texts = b''
         for name in names:
             with open(name, 'rb') as file:
@@ -57,20 +57,26 @@ def run_time(compiler, folder):
     return sorted(glob.glob(os.path.join(folder, '**', '*.o'), recursive=True))
 
 
-def build_cvode(compiler, common, target):
-    """The library of method "cvode", where SUNDIALS is installed: the other methods need none."""
+def found(compiler, name):
+    """The words by which the compiler finds a library of others; None: it is not installed."""
+    header = os.path.join(HERE, 'c', 'host', name, 'header_%s.h' % name)
+    said = subprocess.run(['sh', os.path.join(HERE, 'find_header'), header, *compiler.compiler_so],
+                          check=False, stdout=subprocess.PIPE)
+    return said.stdout.decode().split() if said.returncode == 0 else None
+
+
+def build_library(compiler, name, common, libraries, target):
+    """A library of its own over SUNDIALS or Ipopt, where that is installed: what else the module
+    does needs neither."""
     home = os.path.join(HERE, 'c')
-    found = subprocess.run(
-        ['sh', os.path.join(HERE, 'find_header'), os.path.join(home, 'host/cvode/header_cvode.h'),
-         *compiler.compiler_so], check=False, stdout=subprocess.PIPE)
-    words = found.stdout.decode().split()
-    if found.returncode != 0:
+    words = found(compiler, name)
+    if words is None:
         return
     with tempfile.TemporaryDirectory() as folder:
-        own = compiler.compile([os.path.join(home, 'host', 'cvode', 'cvode.c')], output_dir=folder,
+        own = compiler.compile([os.path.join(home, 'host', name, name + '.c')], output_dir=folder,
                                include_dirs=[home], extra_postargs=[*FLAGS, *words])
-        compiler.link_shared_object(own + common, os.path.join(target, '_cvode.so'),
-                                    libraries=[*SUNDIALS, 'm'], extra_postargs=words)
+        compiler.link_shared_object(own + common, os.path.join(target, '_%s.so' % name),
+                                    libraries=[*libraries, 'm'], extra_postargs=words)
 
 
 class Build(build_py):
@@ -100,7 +106,10 @@ class Build(build_py):
             common = run_time(compiler, kept)
             compiler.link_shared_object(objects + common, os.path.join(target, '_scene.so'),
                                         libraries=['m'])
-            build_cvode(compiler, [o for o in common if os.path.dirname(o) != kept], target)
+            engine = [o for o in common if os.path.dirname(o) != kept]
+            build_library(compiler, 'cvode', engine, SUNDIALS, target)
+            build_library(compiler, 'ipopt', [o for o in engine if o.endswith('wall_clock.o')],
+                          ['ipopt'], target)
 
 
 class Wheel(bdist_wheel):

@@ -81,9 +81,8 @@ end
 ## the derivatives of the whole program, two phases, both rules, parameters
 function program (m)
   worst = [0 0 0];
-  for name = {"lobatto", "radau"}
-    mesh.rule = gs.collocation.quadrature_rule (name{1});
-    mesh.breaks = [1 1 2 2; 0 0.4 0 0.7; 0.4 1 0.7 1];
+  for method = [1 0]   # lobatto, radau
+    breaks = [1 1 2 2; 0 0.4 0 0.7; 0.4 1 0.7 1];
     p = struct ("t0", 0.1, "goal_time", 0.3);
     p.parameters = struct ("name", {"l1", "m3"});
     p.outputs = struct ("number", 1, "low", -1, "high", 1);
@@ -92,24 +91,29 @@ function program (m)
                     "products", [2 2 0.3; 5 1 -0.7]);
     p.singular = struct ("input", 1, "from", 0, "until", 1, "weight", 40);
     p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
-    c = gs.collocation.transcribe_problem (m, p, mesh);
-    f = gs.collocation.compile_transcription (m, c);
-    z = [0.5 + 0.3 * sin((1:c.n-2)'); 0.21; 1.1];
-    l = cos (1:c.m)';
-    at = f ("places");
-    full_of = @(k, v, rows) full (sparse (at{k}(:,1), at{k}(:,2), v, rows, c.n));
-    J = full_of (1, f ("jac", z), c.m);
-    H = full_of (2, f ("hess", z, 0.7, l), c.n);
+    part = @(varargin) m.module ("program", m.cst, gs.model.parameter_values (m), p, method, ...
+                                 breaks, varargin{:});
+    [n, rows_] = part (-1);
+    z = [0.5 + 0.3 * sin((1:n-2)'); 0.21; 1.1];
+    l = cos (1:rows_)';
+    J_of = @(z) full_of (@() part (3, z, 1, []), rows_, n);
+    J = J_of (z);
+    H = full_of (@() part (4, z, 0.7, l), n, n);
     H += tril (H, -1)';
-    lagrange = @(z) 0.7 * f ("grad", z) + full_of (1, f ("jac", z), c.m)' * l;
-    pairs = {J, slope(@(z) f ("g", z), z); H, slope(lagrange, z)
-             f("grad", z)', slope(@(z) f ("f", z), z)};
+    lagrange = @(z) 0.7 * part (1, z, 1, []) + J_of (z)' * l;
+    pairs = {J, slope(@(z) part (2, z, 1, []), z); H, slope(lagrange, z)
+             part(1, z, 1, [])', slope(@(z) part (0, z, 1, []), z)};
     for k = 1:3
       worst(k) = max (worst(k), norm (pairs{k,1} - pairs{k,2}, Inf) / norm (pairs{k,2}, Inf));
     end
   end
   gsmbp_check (sprintf ("Jacobian, Hessian, gradient: 1e-8, found %.1g %.1g %.1g", ...
                         worst), all (worst < [1e-9, 1e-8, 1e-9]));
+end
+
+function A = full_of (part, n, m)
+  [v, places] = part ();
+  A = full (sparse (places(:,1), places(:,2), v, n, m));
 end
 
 function block (m)

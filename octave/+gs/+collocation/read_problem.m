@@ -1,7 +1,8 @@
 ## [p, o] = gs.collocation.read_problem (who, m, x0, xf, given)
 ## What gsmbp_collocate is asked for, checked.  P: x0, xf (NaN: free), t0, T (rows [least,
 ## largest]), low, high (of the unknowns of a point), outputs (number, low, high), goal (number,
-## weight), goal_time, parameters (name, low, high); O: the other options.
+## weight), goal_time, parameters (name, low, high), inputs, names (of the outputs); O: the other
+## options.
 
 function [p, o] = read_problem (who, m, x0, xf, given)
   table = {"time", [], "numbers"; "goal", "time", "any"; "inputs", {}, "any"; "states", {}, "any"
@@ -29,6 +30,8 @@ function [p, o] = read_problem (who, m, x0, xf, given)
   p.ends = bounds (who, "final", o.final, m.states);
   p.outputs = bounds (who, "outputs", o.outputs, m.outputs);
   p.parameters = parameters (who, m, o);
+  p.inputs = m.inputs(:)';
+  p.names = m.outputs(:)';
   if (m.sizes.nlam > 0)   # what follows at the end
     free = true (m.sizes.nx, 1);
     free([m.actuated(:); m.sizes.nq + m.actuated(:)]) = false;

@@ -8,7 +8,8 @@ function part = runtime_archive (precision)
   solve = {"lapack", "plain"}{1 + strcmp(precision, "quad")};
   c = gs.files.own_place ("share", "engine", "core");
   engine = gs.files.own_place ("share", "engine", "host");
-  folders = {".", "derivatives", "ensemble", "linear", "reach", "run", "implicit", "lanes"};
+  folders = {".", "derivatives", "ensemble", "linear", "reach", "run", "collocation", ...
+             "implicit", "lanes"};
   folders = folders(1:end-2*strcmp (precision, "quad"));
   sources = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", solve, ...
                                                                   "*.f")); ...

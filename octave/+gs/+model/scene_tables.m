@@ -12,6 +12,8 @@ function [lists, members, of_plan] = scene_tables (json, emitted)
               "angles", strcmp(m.units.coordinates, "rad")
               "followed", m.internal
               "margin_values", margin_values(json, parameters)};
+  [residuals, places] = collocation (json, parameters);
+  integers = [integers; places];
   texts = {"states", m.states; "events", {m.events.name}; "devices", {m.controllers.name}
            "margins", m.state_margins; "parameters", parameters};
   if (numel (m.multipliers) == m.sizes.nlam)
@@ -35,7 +37,10 @@ function [lists, members, of_plan] = scene_tables (json, emitted)
                        sprintf(".ncst = %d, .npar = %d, .order = %d, .nfollowed = %d", ...
                                m.sizes.ncst, m.sizes.npar, m.order, numel (m.internal)), ...
                        sprintf(".loop_method = %d", ...
-                               [find(strcmp (parameters, "loop_method")) - 1, -1](1))}];
+                               [find(strcmp (parameters, "loop_method")) - 1, -1](1)), ...
+                       sprintf([".nresiduals = %d, .njacobian = %d, .nhessian = %d, " ...
+                                ".nunknown = %d"], residuals, columns (places{1,2}), ...
+                               columns (places{2,2}), numel (places{3,2}))}];
   for row = {"mar", "rha"; "mar", "audited"}
     if (any (strcmp (emitted, row{1})))
       members{end+1} = sprintf (".%s = run_%s", row{[2, 1]});
@@ -103,6 +108,22 @@ function list = margin_values (json, parameters)
     [~, places] = ismember (own, parameters);
     list = [list, numel(states), states - 1, numel(own), places(:)' - 1];
   endfor
+endfunction
+
+## where the entries of DAJ and DAH are, the parameters among their unknowns
+function [residuals, places] = collocation (json, parameters)
+  residuals = 0;
+  places = {"jacobian", zeros(2, 0); "hessian", zeros(2, 0); "unknown", []};
+  if (isfield (json, "collocation"))
+    s = json.collocation;
+    residuals = s.residuals;
+    places{1,2} = reshape (s.jacobian, [], 2)' - 1;   # [] where a scene has none
+    places{2,2} = reshape (s.hessian, [], 2)' - 1;
+    if (! isempty (s.parameters))
+      [~, k] = ismember (cellstr (s.parameters), parameters);
+      places{3,2} = k - 1;
+    endif
+  endif
 endfunction
 
 ## constants of C, one after the other

@@ -58,7 +58,7 @@ function [z, miss] = relaxed (who, P, q, o, k, z0)
     q.z0 = [z; 1.01 * best(:) + 1e-3];
     o.solver = solver{1};
     try
-      r = gs.optimize.solve_nlp (who, P.folder, q, o);
+      r = gs.optimize.solve_nlp (who, P.base, q, o);
     catch err
       if (! any (strfind (err.message, "not installed")))
         rethrow (err);

@@ -140,7 +140,7 @@ function r = one (who, P, q, o)
     r.violation = max ([0; (e.low - e.g) ./ r.size_g; (e.g - e.high) ./ r.size_g]);
     r.optimality = 0;
   else
-    r = gs.optimize.solve_nlp (who, P.folder, q, o);
+    r = gs.optimize.solve_nlp (who, P.base, q, o);
   endif
   [r.active, r.optimality] = gs.optimize.active_prices (P, q, r);
   r.p = r.e.p;

@@ -1,11 +1,12 @@
-## r = gs.optimize.solve_nlp (who, folder, q, o)
-## A small dense problem by NLopt or Ipopt: Q has z0, low, high and f (z), which gives J, gJ; g, A,
-## low, high (constraints low <= g <= high) and H (the Hessian, where Q.newton).  O: solver,
-## tolerance, iterations, evaluations, seconds.  R: z, e (what f gives there), violation (beside
-## the sizes of the constraints), evaluations, iterations, ended, limit, trouble (the last error
-## of f), stopped ("", "interrupted" by Ctrl-C, or "timeout" at O.ends: z is then the best so far).
+## r = gs.optimize.solve_nlp (who, m, q, o)
+## A small dense problem of the model M by NLopt or Ipopt: Q has z0, low, high and f (z), which
+## gives J, gJ; g, A, low, high (constraints low <= g <= high) and H (the Hessian, where Q.newton).
+## O: solver, tolerance, iterations, evaluations, seconds.  R: z, e (what f gives there), violation
+## (beside the sizes of the constraints), evaluations, iterations, ended, limit, trouble (the last
+## error of f), stopped ("", "interrupted" by Ctrl-C, or "timeout" at O.ends: z is then the best so
+## far).
 
-function r = solve_nlp (who, folder, q, o)
+function r = solve_nlp (who, m, q, o)
   memory = memory_of (@(z) loosened (q.f(z)), o);
   o.seconds = max (1e-3, min (o.seconds, o.ends - time ()));
   e = memory (q.z0, false);
@@ -13,7 +14,7 @@ function r = solve_nlp (who, folder, q, o)
   size_J = max ([abs(e.J); abs(e.gJ); 1e-12]);
   size_g = sizes (e);
   if (strcmp (o.solver, "ipopt"))
-    r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g);
+    r = by_ipopt (who, m, q, o, memory, e, size_J, size_g);
   else
     r = by_nlopt (who, q, o, memory, e, size_J, size_g);
   endif
@@ -117,7 +118,7 @@ function M = moved (M, z, may_fail)
   endif
 endfunction
 
-function r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g)
+function r = by_ipopt (who, model, q, o, memory, e, size_J, size_g)
   n = numel (q.z0);
   m = numel (e.g);
   [j, i] = meshgrid (1:n, 1:m);
@@ -134,9 +135,8 @@ function r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g)
     ## the barrier of the bounds stays below what flat sums of squares tell
     o.options = {"mu_init", 1e-8, "bound_push", 1e-8, "bound_frac", 1e-8};
   endif
-  r = gs.run.run_ipopt (who, folder, p, o);
+  r = gs.run.run_ipopt (who, model, p, o);
   r.z = r.x;
-  r.iterations = max (0, rows (r.log) - 1);
   if (r.interrupted)
     memory ("interrupted");
   endif

@@ -17,7 +17,7 @@ function run = engine_options (who, m, o)
   endif
   library = "";
   if (strcmp (row.by, "library") && strcmp (m.precision, "double"))
-    library = gs.model.implicit_library (who, m, o.method);
+    library = gs.model.host_library (who, m, o.method);
   endif
   run = struct ("method", o.method, "loops", way_of_loops (who, m, o), "step", number (o.step), ...
                 "rtol", o.rtol, "atol", tolerances (who, m, o.atol), "maxstep", o.maxstep, ...

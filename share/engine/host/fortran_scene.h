@@ -289,6 +289,25 @@
     return info;                                                                                   \
   }
 
+#define GS_FORTRAN_dae(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
+                   const gs_real *, const gs_real *, gs_real *);                                   \
+  static void name (gs_real t, const gs_real *x, const gs_real *ud, const gs_real *lam,            \
+                    const gs_real *v, const gs_real *cst, gs_real *f)                              \
+  {                                                                                                \
+    sub (&t, x, ud, lam, v, cst, f);                                                               \
+  }
+#define GS_FORTRAN_daj(name, sub) GS_FORTRAN_dae (name, sub)
+
+#define GS_FORTRAN_dah(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
+                   const gs_real *, const gs_real *, const gs_real *, gs_real *);                  \
+  static void name (gs_real t, const gs_real *x, const gs_real *ud, const gs_real *lam,            \
+                    const gs_real *v, const gs_real *cst, const gs_real *w, gs_real *h)            \
+  {                                                                                                \
+    sub (&t, x, ud, lam, v, cst, w, h);                                                            \
+  }
+
 #define GS_FORTRAN_vin(name, sub)                                                                  \
   extern void sub (const gs_real *, const int *, const gs_real *, const int *, const int *,        \
                    const int *, const gs_real *, const gs_real *, gs_real *, int *);               \

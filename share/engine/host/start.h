@@ -60,6 +60,15 @@ typedef struct gs_description
   const int *followed;              /* states of devices that inputs of a motion follow, from 1 */
   int fortran_inputs;               /* 1: the data of scene->vin are a gs_fortran_inputs of a run */
   const struct gs_lane_routines *lanes; /* of ensembles (host/ensemble) */
+  /* for optimal motions (host/collocation), numbers from 0: functions of dae are residuals, rates
+     of coordinates and devices, outputs; unknowns time, states, accelerations, multipliers, inputs,
+     the parameters here */
+  int nresiduals;
+  int njacobian, nhessian;
+  const int *jacobian;              /* (2,njacobian): function and unknown of each entry of daj */
+  const int *hessian;               /* (2,nhessian): the two unknowns of each entry of dah */
+  int nunknown;
+  const int *unknown;               /* parameters that are unknowns */
 } gs_description;
 
 /* a start that is asked for */

@@ -9,11 +9,13 @@
     m.trim(x, v)                  an equilibrium or a steady motion
     m.modes(x)                    small vibrations
     m.reach(name, P, R)           inverse kinematics
+    m.collocate(x0, xf, time=T)   an optimal motion
     m.states, m.units, ...        names and units
 
 All numbers are in SI units. An argument may have one more dimension, of k states, at its end.
 """
 from ._adjoint import Adjoint
+from ._collocate import Collocation
 from ._ensemble import Ensemble
 from ._library import DependentWarning, Error, TABLE as table
 from ._linear import LinearModel
@@ -25,8 +27,9 @@ from ._run import Result, RunWarning
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Modes', 'Reach', 'Piecewise', 'plan', 'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Reach', 'Collocation', 'Piecewise', 'plan', 'table_of',
+           'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Modes, Reach, Piecewise):
+             Trim, Modes, Reach, Collocation, Piecewise):
     _one.__module__ = __name__

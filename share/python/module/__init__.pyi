@@ -75,6 +75,30 @@ class Reach(NamedTuple):
     solutions: tuple[Real, ...]
     free: Real
 
+class Collocation(NamedTuple):
+    t: Real
+    x: Real
+    v: Real
+    ud: Real
+    lam: Real
+    y: Real
+    costates: Real
+    goal: float
+    T: float
+    parameters: dict[str, float]
+    input: Optional[Piecewise]
+    motion: Optional[Piecewise]
+    error: float
+    meshes: list[dict[str, Any]]
+    active: list[dict[str, Any]]
+    switches: Real
+    singular: list[dict[str, Any]]
+    solved: bool
+    ended: str
+    stopped: str
+
+Bounds = Optional[Mapping[str, tuple[float, float]]]
+
 class Inverse(NamedTuple):
     t: Real
     q: Real
@@ -172,6 +196,16 @@ class Model(Routines):
               limits: Optional[ArrayLike] = None,
               method: Literal['auto', 'closed', 'newton'] = 'auto',
               given: Optional[ArrayLike] = None, time: float = 0.0) -> Reach: ...
+    def collocate(self, x0: ArrayLike, xf: ArrayLike, *,
+                  time: Union[float, tuple[float, float]],
+                  goal: Union[str, Mapping[str, float]] = 'time', final: Bounds = None,
+                  inputs: Bounds = None, states: Bounds = None, outputs: Bounds = None,
+                  parameters: Bounds = None, method: Literal['radau', 'lobatto'] = 'radau',
+                  intervals: int = 20, accuracy: float = 1e-6, refinements: int = 6,
+                  guess: Union[Collocation, tuple[ArrayLike, ArrayLike, ArrayLike], None] = None,
+                  polish: bool = True, regularize: float = 1.0, tolerance: float = 1e-9,
+                  iterations: int = 500, seconds: float = 60.0,
+                  timeout: float = 0.0) -> Collocation: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

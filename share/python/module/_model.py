@@ -5,7 +5,8 @@ import warnings
 
 import numpy as np
 
-from . import _adjoint, _checks, _ensemble, _inverse, _linear, _modes, _reach, _run, _start, _trim
+from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _modes, _reach, _run,
+               _start, _trim)
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -139,6 +140,7 @@ class Model(Routines):
     trim = explained(_trim.trim)
     modes = explained(_modes.modes)
     reach = explained(_reach.reach)
+    collocate = explained(_collocate.collocate)
 
 
 def _again(parameters):
@@ -149,7 +151,8 @@ def _again(parameters):
 
 
 # the requests of subroutines that a module calls by itself
-_REQUESTS = {'jac': 'jacobian', 'cmd': 'command', 'rha': 'audit', 'ene': 'energy'}
+_REQUESTS = {'jac': 'jacobian', 'cmd': 'command', 'rha': 'audit', 'ene': 'energy',
+             'dae': 'collocation', 'daj': 'collocation', 'dah': 'collocation'}
 
 
 def _why(name):

@@ -9,28 +9,18 @@ function ours (root, out, sizes)
   asked = {"goal", "effort", "time", 2, "states", {"p", -2, 2}, "method", "lobatto"};
   for n = sizes
     [p, o] = gs.collocation.read_problem ("ours", m, zeros (1, 4), [1 pi 0 0], asked);
-    mesh = struct ("rule", gs.collocation.quadrature_rule ("lobatto"), ...
-                   "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
-    guess = gs.collocation.first_guess ("ours", m, p, []);
-    [setup, f, c] = set_up (m, p, mesh);
-    seconds = evaluation (f, c);
-    s = gs.collocation.solve_mesh ("ours", m, p, mesh, guess, o);
-    printf ("%d %.3f %.4f %d %.14g\n", n, 1e3 * setup, 1e3 * seconds, rows (s.log) - 1, s.J);
+    breaks = [ones(1, n); (0:n-1) / n; (1:n) / n];
+    part = @(varargin) m.module ("program", m.cst, gs.model.parameter_values (m), p, 1, breaks, ...
+                                 varargin{:});
+    setup = Inf;
+    for k = 1:5
+      begin = tic ();
+      [unknowns, equations] = part (-1);
+      setup = min (setup, toc (begin));
+    end
+    seconds = part (-2, 0.1 * ones (unknowns, 1), 1, 0.3 * ones (equations, 1));
+    r = gsmbp_collocate (m, zeros (1, 4), [1 pi 0 0], asked{:}, "intervals", n, "refinements", 0);
+    printf ("%d %.3f %.4f %d %.14g\n", n, 1e3 * setup, 1e3 * seconds, r.meshes(1).iterations, ...
+            r.goal);
   end
-end
-
-function [least, f, c] = set_up (m, p, mesh)
-  least = Inf;
-  for k = 1:5
-    begin = tic ();
-    c = gs.collocation.transcribe_problem (m, p, mesh);
-    f = gs.collocation.compile_transcription (m, c);
-    f ("places");
-    least = min (least, toc (begin));
-  end
-end
-
-## goal, gradient, equations, Jacobian and Hessian at points that are new, as Ipopt calls them
-function least = evaluation (f, c)
-  least = f ("time", 0.1 * ones (c.n, 1), 1, 0.3 * ones (c.m, 1));
 end

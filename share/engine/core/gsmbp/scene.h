@@ -83,6 +83,14 @@ typedef int gs_urp (gs_real t, const gs_real *x, const gs_real *v, const gs_real
                     gs_real *r, gs_real *xa);
 typedef int gs_cmp (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst,
                     gs_real *vx, int ldvx, gs_real *vp, int ldvp);
+/* for optimal motions (share/engine/host/collocation): what accelerations ud and multipliers lam
+ * leave of the equations of motion, rates, outputs, f; their derivatives that are not zero, g;
+ * those of second order of the sum of w times f, h. gs_description has where the entries are */
+typedef void gs_dae (gs_real t, const gs_real *x, const gs_real *ud, const gs_real *lam,
+                     const gs_real *v, const gs_real *cst, gs_real *f);
+typedef gs_dae gs_daj;
+typedef void gs_dah (gs_real t, const gs_real *x, const gs_real *ud, const gs_real *lam,
+                     const gs_real *v, const gs_real *cst, const gs_real *w, gs_real *h);
 /* the nsw times at which the scene switches */
 typedef void gs_swi (const gs_real *cst, gs_real *ts);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
@@ -138,6 +146,9 @@ typedef struct
   const int *again;              /* nctl: 1 if outputs are computed anew for it */
   const int *held_inputs;        /* nheld: device by device */
   const gs_real *memory;         /* nxk: where it starts */
+  gs_dae *dae; /* for optimal motions (share/engine/host/collocation), as the next two */
+  gs_daj *daj;
+  gs_dah *dah;
 } gs_scene;
 
 #ifdef __cplusplus
