@@ -47,6 +47,8 @@ TEXTS = [
     ('share/engine/host/linear/linear.c', ''),
     ('share/engine/host/linear/trim_told.c', ''),
     ('share/engine/host/linear/vibrations.c', ''),
+    ('share/engine/host/ipopt/ipopt.c', ''),
+    ('share/engine/host/collocation/ended.c', ''),
     ('share/engine/core/gsmbp/refusals.h', ''),
     ('octave/+gs/+run/failure_text.m', 'dependent_rows'),
     ('octave/+gs/+run/failure_text.m', 'fastest'),
