@@ -2,6 +2,7 @@
 # compiled; changed sources, damaged entries, kills, folders that cannot be written. The script
 # alone; then a library of an integrator in Octave, gsmbp_build, an FMU and a Python package.
 . tests/tools/check.sh
+PATH=$plain_path
 root=$PWD
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT

@@ -28,7 +28,7 @@ for name in gcc cc; do
 done
 PATH=$work/bin:$PATH check 'without a compiler share/make/compile does not fail' compile
 check 'and says that the sources are loaded' grep -q 'uncompiled' "$work/out.txt"
-PATH=${PATH#/usr/lib/ccache:} GSMBP_TIMEOUT=1 compile   # ccache takes less than a second
+PATH=$plain_path GSMBP_TIMEOUT=1 compile   # ccache takes less than a second
 check 'the reason of a compilation that ends too early is told' grep -q \
   'uncompiled, .*stopped after 1 seconds of processor time' "$work/out.txt"
 check 'nothing is left behind' fails sh -c 'ls gsmbp/compiled/*/gsmbp.* >/dev/null 2>&1'

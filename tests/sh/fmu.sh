@@ -93,9 +93,9 @@ if mount -t tmpfs -o size=300k tmpfs "$work/small" 2>/dev/null; then
   result 'on a full disk there is an error, no archive and no part of one'
 fi
 printf '#!/bin/sh\n[ "$1" = -dumpmachine ] && echo aarch64-linux-gnu && exit\nexec %s "$@"\n' \
-  "$(PATH=${PATH#/usr/lib/ccache:} command -v gcc)" >"$work/gcc/gcc"
+  "$(PATH=$plain_path command -v gcc)" >"$work/gcc/gcc"
 chmod +x "$work/gcc/gcc"
-PATH=$work/gcc:${PATH#/usr/lib/ccache:} \
+PATH=$work/gcc:$plain_path \
   share/fmu/derive "$work/step.mac" "$work/arm" >"$report" 2>&1
 for standard in 2 3; do
   unzip -l "$work/arm/step_fmi$standard.fmu" | grep -q ' binaries/aarch64-linux/step.so$' ||

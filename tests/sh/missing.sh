@@ -3,6 +3,7 @@
 # line says what is missing for what. Without a compiler make stops, without makeinfo there is no
 # manual.
 . tests/tools/check.sh
+PATH=$plain_path
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -41,10 +42,9 @@ in_its_place() {
 here() { PATH=$bin "$@" >"$report" 2>&1; }
 make_() { here make --no-print-directory "$@"; }
 
-mkdir -p "$work/project/gsmbp" "$work/project/octave/glue" "$work/project/share/engine/host/cvode"
+mkdir -p "$work/project/gsmbp" "$work/project/share"
 cp Makefile "$work/project" && cp -R share/make "$work/project/share"
-cp octave/glue/header_* "$work/project/octave/glue"
-cp share/engine/host/cvode/header_* "$work/project/share/engine/host/cvode"
+cp --parents share/engine/host/*/header_* "$work/project"
 cd "$work/project" || exit 1
 cat >gsmbp/gsmbp.mac <<'E1'
 gsmbp_fortran(name, requests, options) := block([folder : rhs(first(options))],

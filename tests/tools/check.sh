@@ -21,6 +21,10 @@ whole() { [ -n "${GSMBP_WHOLE:-}" ]; }
 
 fails() { ! "$@"; }
 
+# plain_path: PATH without ccache (tests/tools/job), for a compiler of the test's own in front of
+# it: ccache takes the first in PATH for the true one, and the two would call each other for ever
+plain_path=${PATH#/usr/lib/ccache:}
+
 # to_the_end COMMAND...: one that prints its own results; `not ok` if it ends with an error, which
 # could be before them
 to_the_end() { "$@" || echo "not ok $2 comes to its end: expected exit code 0, found $?"; }

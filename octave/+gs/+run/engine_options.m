@@ -5,11 +5,15 @@
 function run = engine_options (who, m, o)
   row = gs.run.method_row (o.method);
   number = @(x) [x, NaN](1);
-  if (! isempty (o.step))
+  is_given = @(x) ! (isnumeric (x) && isempty (x));
+  if (is_given (o.step))
     gs.given.check_kind (who, "option step", o.step, {"nonnegative", "positive"}{1 + row.fixed});
   endif
-  if (! isempty (o.maxorder))
+  if (is_given (o.maxorder))
     gs.given.check_kind (who, "option maxorder", o.maxorder, "number");
+  endif
+  if (is_given (o.audit))
+    gs.given.check_kind (who, "option audit", o.audit, "positive");
   endif
   if (row.fixed && ! isnan (o.rtol) && isempty (o.audit))
     warning ("gsmbp:option", ["%s: option rtol: method \"%s\" has steps of one length and does " ...

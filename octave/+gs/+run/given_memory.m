@@ -3,12 +3,12 @@
 
 function memory = given_memory (who, m, memory)
   if (isempty (m.controllers))
-    if (! isempty (memory))
+    if (! (isnumeric (memory) && isempty (memory)))
       error ("%s: option memory: %s has no sampled devices", who, m.name);
     endif
     return;
   endif
-  if (isempty (memory))
+  if (isnumeric (memory) && isempty (memory))
     memory = vertcat (m.controllers.starts);
   endif
   nxk = m.sizes.nxk;

@@ -68,6 +68,7 @@ typedef struct
   gs_work *w;
   const gs_constraint_rows *rows; /* beside the state */
   const gs_real *a;               /* the Jacobian there */
+  gs_real size;                   /* its largest entry of an acceleration: for what is rounding */
   int nq;
   const int *q;
   gs_real *tangent;
@@ -79,7 +80,7 @@ static int
 depends_on (const search *f, int u)
 {
   const gs_scene *s = f->w->s;
-  gs_real most = GS_R (1e-9);
+  gs_real most = gs_max (GS_R (1e-9), GS_R (1e-4) * f->size);
   int count = 0;
   for (int turn = 0; turn < 2; turn++)
     for (int j = 0; j < f->nq; j++)
@@ -176,7 +177,7 @@ choose_speeds (gs_work *w, const gs_real *x, int nfirst, const int *first, gs_fr
   int *others = gs_places (w, s->nu), *list = gs_places (w, s->nu), kept = 0, n = 0;
   gs_real *y = gs_numbers (w, s->nx), *a = gs_numbers (w, s->nx * s->nx);
   gs_constraint_rows rows;
-  search g = { w, &rows, a, f->nq, f->q, gs_numbers (w, s->nx * s->nx), gs_places (w, s->nx) };
+  search g = { w, &rows, a, 0, f->nq, f->q, gs_numbers (w, s->nx * s->nx), gs_places (w, s->nx) };
   int *choice = gs_places (w, s->nu), *try = gs_places (w, 2 * s->nu);
   if (! others || ! list || ! y || ! a || ! g.tangent || ! g.own || ! choice || ! try)
     return w->told->verdict;
@@ -194,6 +195,9 @@ choose_speeds (gs_work *w, const gs_real *x, int nfirst, const int *first, gs_fr
   memcpy (f->u, list, (size_t)f->nu * sizeof *list);
   if (beside (w, x, y, a) != 0 || gs_constraints_there (w, y, 0, NULL, &rows) != 0)
     return w->told->verdict;
+  for (int j = 0; j < s->nx; j++)
+    for (int i = s->nq; i < s->nq + s->nu; i++)
+      g.size = gs_max (g.size, gs_abs (a[i + s->nx * j]));
   fewest (&g, kept, others, n, f->nu, f->u, choice, try);
   return w->told->verdict;
 }
