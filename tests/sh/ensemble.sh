@@ -1,6 +1,5 @@
-# Ensembles in C (share/engine/host/ensemble, host/lanes): compile without a warning; emitted scenes
-# against single runs and a closed form, by several threads, interrupted, under the sanitizers and
-# in quad precision.
+# Ensembles in C (share/engine/host/ensemble, host/lanes): emitted scenes against single runs and a
+# closed form, by several threads, interrupted, under the sanitizers and in quad precision.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -19,19 +18,6 @@ done
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
 told $? 'the scenes are emitted in C' "$report"
 
-host=$root/share/engine/host
-strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
-c="-std=c99 -I$root/share/engine/core -I$root/share/engine -I$work -I$root/tests/c/host"
-for compiler in gcc clang; do
-  command -v $compiler >/dev/null || continue
-  for flags in -O2 '-O3 -fopenmp-simd -DGS_OPENMP_SIMD'; do
-    (mkdir -p "$work/$compiler" && cd "$work/$compiler" &&
-      $compiler $c $strict $flags -c "$host"/ensemble/*.c "$host"/lanes/*.c) >"$report" 2>&1
-    told $? "$compiler $flags compiles them without a warning" "$report"
-  done
-done
-nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
-result 'they have no data of their own'
 headers_in_cplusplus host/ensemble/ensemble.h
 
 for kind in sane threads quad; do

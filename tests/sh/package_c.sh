@@ -66,7 +66,7 @@ euler method: expected one of dp853, rk4, .*, auto, found euler
 EOF
 if has clang 'packages by clang'; then
   make -s -C "$work/slider_crank" clean
-  builds slider_crank clang CC=clang CFLAGS="$strict"
+  builds slider_crank clang CC=clang CFLAGS="$strict -O0"
 fi
 if whole && has cmake 'packages by cmake'; then
   (cd "$work/slider_crank" && cmake -B built && cmake --build built &&
