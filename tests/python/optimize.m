@@ -1,0 +1,44 @@
+## optimize (FILE): designs by gsmbp_optimize, written as JSON, for optimize.py.
+
+function optimize (file)
+  warning ("off", "all");
+  m = gsmbp_fixture ("design_lamp");
+  t = linspace (0, 2, 21)';
+  run = {"run", t, [0.5 0]};
+  r.damper = told (m, {"d", 0.5, [0 20]}, {"square", "q"}, {}, run);
+  r.held = told (m, {"d", 0.5, [0 20]}, {"square", "q"}, {"value", "d", "<", 3; ...
+                 "end", "q", "<", 1}, run, "solver", "ipopt");
+  r.two = told (m, {"d", 2, [0.1 20]}, {"peak", "q_d"}, {"end", "total", "<", 9}, ...
+                {{"run", t, [0.3 0], "input", 0, "name", "a"}, ...
+                 {"run", t, [-0.3 0], "input", 0, "name", "b"}});
+  path = struct ("q", @(t) -pi / 2 + 0.3 * exp (-2 * t));
+  words = {"start", "end", "mean", "integral", "drawn", "square", "rms", "peak", "max", "min", ...
+           "settling"};
+  for word = words
+    r.(["word_" word{1}]) = told (m, {"d", 2, [0.1 20]}, {word{1}, "error.q*q"}, ...
+                                  {"value", "d", "=", 2}, [run, {"target", path, "band", 0.5}]);
+  end
+  lamp = gsmbp_set (m, "mc", 8);
+  r.rest = told (lamp, {"k", 50, [1 1000]}, {"value", "k"}, {"end", "frequency1", ">", 4; ...
+                 "end", "decay", ">", 0}, {"rest", [0; 0], 0});
+  lamp = gsmbp_set (m, "k", 0);
+  free = {"mc", 1, num2cell(0.3 + 0.13 * (0:49)); "lc", 0.1, num2cell(0.05 + 0.0137 * (0:39))};
+  r.branch = told (lamp, free, {"mass", "weight", 1; "value", "lc", 8}, ...
+                   {"peak", "effort.q", "<", 0.5}, {"positions", "q", 0});
+  free = {"mc", 1, [0.1 10]; "lc", 0.1, [0.01 0.4]};
+  r.conflict = told (lamp, free, {"end", "total"}, {"value", "lc", "<", 0.39; ...
+                     "peak", "effort.q", "<", 1; "end", "total", "<", 3.5; ...
+                     "value", "mc", ">", 0.2}, {"positions", "q", [-1; 0; 1]});
+  fid = fopen (file, "w");
+  fputs (fid, jsonencode (r));
+  fclose (fid);
+end
+
+function one = told (m, varargin)
+  [r, info] = gsmbp_optimize (m, varargin{:});
+  one = struct ("values", r.values, "J", r.J, "info", info, "ended", r.ended, "solver", ...
+                r.solver, "derivatives", r.derivatives, "report", r.report, "evaluations", ...
+                r.evaluations, "texts", {{r.active.text}}, "multipliers", ...
+                {num2cell([r.active.multiplier])}, "conflict", {r.conflict}, ...
+                "problems", r.choices.solved);
+end
