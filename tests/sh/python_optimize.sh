@@ -1,5 +1,6 @@
 # Designs of modules of Python beside those of Octave (tests/python: optimize.m, optimize.py): a
-# lamp, a ball with events; closed forms; choices, contradictions; refusals; Ctrl-C, timeout.
+# lamp, a ball with events, a crank, a four-bar; closed forms; choices, contradictions; refusals;
+# Ctrl-C, timeout.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -11,12 +12,12 @@ for name in ipopt nlopt; do
   fi
 done
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
-for scene in design_lamp sensitivity_bounce; do
+for scene in design_lamp design_fourbar sensitivity_bounce sensitivity_crank; do
   statements="$statements requests : all\$ load(\"$root/tests/scenes/$scene.mac\")\$
     gsmbp_package(scene, python, requests, directory = \"$work/folders/$scene\")\$ kill(scene)\$"
 done
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of two scenes' "$report"
+told $? 'gsmbp_package(scene, python) of four scenes' "$report"
 for folder in "$work"/folders/*; do
   name=${folder##*/}
   sed -i 's/-O2/-O0/' "$folder/setup.py"

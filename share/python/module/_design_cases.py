@@ -144,7 +144,9 @@ def _simulated(who, model, given, options, names, starts):
     x0 = np.array(x0, float)
     for name, value in starts.items():
         x0[model.states.index(name)] = value
+    fixed = options.pop('fixed', None)
     if NLAM:
+        _actuated_alone(who, model, 'fixed', fixed)
         x0 = _closed(who, model, x0)
     r = model.simulate(x0, times, **options, sensitivity=names or None)
     n, have = np.size(times), len(r.t)
@@ -173,12 +175,22 @@ def _filled(a, n):
     return a[..., np.minimum(np.arange(n), a.shape[-1] - 1)]
 
 
+ACTUATED = [int(k) - 1 for k in np.atleast_1d(TABLE.get('actuated') or [])]
+
+
+def _actuated_alone(who, model, what, held):
+    """A closed chain follows from its actuated coordinates here; held: names, None for these."""
+    known = [model.coordinates[k] for k in ACTUATED]
+    names = known if held is None else [held] if isinstance(held, str) else list(held)
+    if NQ != NU or not known or sorted(names) != sorted(known):
+        raise ValueError('%s: %s: the loops of %s are closed from its actuated coordinates (%s) '
+                         'alone, without Euler parameters; found %s' % (
+                             who, what, NAME, ', '.join(known) or 'none', ', '.join(names)))
+
+
 def _closed(who, model, x0):
     """The start with its loops closed, the actuated coordinates and speeds held."""
-    planned = [k - 1 for k in np.atleast_1d(TABLE.get('actuated') or []).astype(int)]
-    if NQ != NU or not planned:
-        raise ValueError('%s: a start of %s cannot be closed: expected a loop with actuated '
-                         'coordinates, without Euler parameters' % (who, NAME))
+    planned = ACTUATED
     motion = Piecewise([0, 1], np.stack([x0[NQ:][planned], x0[planned]], axis=1)[:, None, :])
     follow = _inverse._Follower(who, model, motion, [k + 1 for k in planned], x0[:NQ])
     jet = follow(0.0, 1)
@@ -281,14 +293,8 @@ def _held(who, model, q, places, values):
         q = q.copy()
         q[places] = values
         return q
-    planned = sorted(places)
-    actuated = sorted(int(k) - 1 for k in np.atleast_1d(TABLE.get('actuated') or []))
-    if planned != actuated or NQ != NU:
-        raise ValueError('%s: positions of a closed chain: expected the actuated coordinates (%s) '
-                         'held; found %s' % (
-                             who, ', '.join(model.coordinates[k] for k in actuated),
-                             ', '.join(model.coordinates[k] for k in places)))
-    at = dict(zip(places, values))
+    _actuated_alone(who, model, 'positions', [model.coordinates[k] for k in places])
+    planned, at = sorted(places), dict(zip(places, values))
     motion = Piecewise([0, 1], np.array([at[k] for k in planned])[:, None, None])
     return _inverse._Follower(who, model, motion, [k + 1 for k in planned], q)(0.0, 1)[:, 0]
 
