@@ -25,6 +25,8 @@ LAMP = design_lamp.Model()
 TIMES = np.linspace(0, 2, 21)
 RUN = ('run', TIMES, [0.5, 0])
 GRAVITY = 9.81
+WORDS = ('start', 'end', 'mean', 'integral', 'drawn', 'square', 'rms', 'peak', 'max', 'min',
+         'settling')
 
 
 def quiet(function, *values, **named):
@@ -50,8 +52,7 @@ def problems():
             'end', 'total', '<', 9), [('run', TIMES, [0.3, 0], {'input': 0, 'name': 'a'}),
                                       ('run', TIMES, [-0.3, 0], {'input': 0, 'name': 'b'})])}
     path = {'q': lambda t: -np.pi / 2 + 0.3 * np.exp(-2 * t)}
-    for word in ('start', 'end', 'mean', 'integral', 'drawn', 'square', 'rms', 'peak', 'max', 'min',
-                 'settling'):
+    for word in WORDS:
         found['word_' + word] = quiet(
             LAMP.optimize, ('d', 2, (0.1, 20)), (word, 'error.q*q'), ('value', 'd', '=', 2),
             (*RUN, {'target': path, 'band': 0.5}))
@@ -100,6 +101,23 @@ def beside_octave(wanted):
 
 
 # ------------------------------------------------------------------------------ closed forms
+
+def slopes():
+    """Of all words, as prices of an equation, beside differences of what they say."""
+    bare = LAMP.changed(k=0)
+    case = ('run', TIMES, [-np.pi / 2 + 0.5, 0],
+            {'target': {'q': -np.pi / 2}, 'band': 0.2, 'rtol': 1e-12})
+    for word in WORDS:
+        row = (word, 'error.q')
+
+        def at(d):
+            return quiet(bare.optimize, ('d', d, {d}), row, None, case).J
+        r = quiet(bare.optimize, ('d', 2, (0.1, 20)), row, ('value', 'd', '=', 2), case)
+        wanted = (8 * (at(2.001) - at(1.999)) - at(2.002) + at(1.998)) / 0.012
+        close('the slope of %s, %.6g' % (word, wanted), r.active[0]['multiplier'], wanted,
+              1e-6 * max(1, abs(wanted)))
+        holds('... inside', word != 'settling' or 0 < r.J < 1.9)
+
 
 def balance():
     """k*h*r = m*g*l - mc*g*lc; the lightest counterweight mc*lc = m*l at the longest arm."""
@@ -178,6 +196,9 @@ def functions():
                          reference=[0, 0]).x[0, -1]
     close('a gain, by differences, and it is told: ' + r.derivatives, late, 0.05, 1e-7)
     holds('... by kp', 'differences of order 4 by kp' in r.derivatives)
+    r = LAMP.optimize(('a', 2, (1, 9)), lambda p: (LAMP.optimize(
+        ('b', 1, (0, 9)), lambda q: (q['b'] - p['a'])**2).values['b'] - 3)**2)
+    close('a design within a design', r.values['a'], 3, 1e-4)
     r = LAMP.optimize(('d', 2, (0.1, 20)), lambda p, results: results['case1'].x[0, -1]**2,
                       None, RUN)
     q = LAMP.optimize(('d', 2, (0.1, 20)), ('end', 'q*q'), None, RUN)
@@ -286,6 +307,7 @@ def signatures():
 if __name__ == '__main__':
     with open(sys.argv[1], encoding='utf-8') as file:
         beside_octave(json.load(file))
+    slopes()
     balance()
     least_effort()
     four_bar()

@@ -5,10 +5,7 @@ function [r, info] = design_result (P, s)
   r.values = gs.optimize.values_struct (P, s.values);
   r.J = s.J;
   r.model = gs.optimize.design_model (P, s.values);
-  r.results = struct ();
-  for c = P.cases
-    r.results.(c.name) = gs.optimize.run_case (P, c, s.values);
-  endfor
+  r.results = results (P, s);
   solvers = gs.text.table_rows ("GS_DESIGN_SOLVERS");
   s.solver = solvers{s.solver};
   for k = 1:numel (s.starts)
@@ -26,4 +23,18 @@ function [r, info] = design_result (P, s)
     warning ("gsmbp:idle", "%s: %s: nothing depends on %s, at the start and at the end", P.who, ...
              r.model.name, strjoin (idle, ", "));
   endif
+endfunction
+
+## of the load cases at the values; where demands contradict each other, those that can be there
+function list = results (P, s)
+  list = struct ();
+  for c = P.cases
+    try
+      list.(c.name) = gs.optimize.run_case (P, c, s.values);
+    catch err
+      if (s.info != 2)
+        rethrow (err);
+      endif
+    end_try_catch
+  endfor
 endfunction

@@ -343,6 +343,19 @@ def _mass(who, model, name):
 
 # ---------------------------------------------------------------------------------- the result
 
+def _results(cases, p, info):
+    """Of the load cases at the values; where demands contradict each other, those that can be
+    there."""
+    found = {}
+    for case in cases.cases:
+        try:
+            found[case.name] = cases.run(case, p)[0]
+        except (ArithmeticError, ValueError):
+            if info != 2:
+                raise
+    return found
+
+
 def _result(who, search, r):
     n, cases = len(search.free), search.cases
     p = np.array(r.rows('values', n, ctypes.c_double))
@@ -358,8 +371,8 @@ def _result(who, search, r):
             who, ', '.join(idle)), _run.RunWarning, stacklevel=4)
     many = r.nconflict if r.info == 2 else 0
     return Optimum(
-        cases.values(p), r.J, cases.model_at(p),
-        {case.name: cases.run(case, p)[0] for case in cases.cases}, active, bool(r.solved),
+        cases.values(p), r.J, cases.model_at(p), _results(cases, p, r.info), active,
+        bool(r.solved),
         r.ended.decode(), bool(r.limit), r.violation, r.optimality,
         None if r.iterations < 0 else r.iterations, r.evaluations, SOLVERS[r.solver], starts,
         'timeout' if r.stopped else '', r.derivatives.decode(),
