@@ -3,32 +3,6 @@
 
 #include "host/optimize/optimize.h"
 
-int
-gs_loop_optimize (const gs_design *d, const gs_design_options *o, gs_design_result *r)
-{
-  return gs_optimize (d, o, r);
-}
-
-void
-gs_loop_design_free (gs_design_result *r)
-{
-  gs_design_free (r);
-}
-
-int
-gs_loop_weights (int n, const double *t, double *w, double *slope)
-{
-  return gs_integral_weights (n, t, w, slope);
-}
-
-int
-gs_loop_differences (double start, double low, double high, double at, double *points,
-                     double *factors)
-{
-  const gs_free variable = { .name = "", .start = start, .low = low, .high = high };
-  return gs_difference_points (&variable, at, points, factors);
-}
-
 #define NAME(name) #name "\n"
 
 /* words of goals and demands, solvers, ways of the choices, a line each */

@@ -7,11 +7,12 @@ import numpy as np
 
 from . import _inverse, _run
 from ._design import of_values
+from ._design_slopes import (ACTUATED, fields_of, of_inverse, of_positions, parameters_by, PLANNED)
 from ._design_structures import differences, weights
 from ._derivatives import KNOWN
 from ._grazing import CHANGES, EVENTS
 from ._library import Error, NAME, ROUTINES, SIZES, TABLE
-from ._motion import Piecewise
+from ._motion import Piecewise, as_piecewise
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 ROWS = ('x', 'v', 'y', 'points', 'tau', 'lam', 'margins', 'state_margins')   # (rows, times)
@@ -53,12 +54,31 @@ class Cases:
                  if k and one.kind != 'own']
         R, parts = self._made(case, p, names)
         D = {}
+        if case.kind in _CHAINED and (by & ~rough).any():
+            D = self._chained(case, p, R, by & ~rough)
         for k, one in enumerate(self.free):
             if rough[k]:
                 _put(D, self.slope(k, p, lambda q: _numbers(self._made(case, q, [])[0])), k, len(p))
             elif one.name in parts:
                 _put(D, parts[one.name], k, len(p))
         return R, D, rough
+
+    def _chained(self, case, p, R, exact):
+        """Derivatives by the variables of the mask exact, through the motion or the positions that
+        a function of the values plans, and by parameters."""
+        names = {one.name for one, k in zip(self.free, exact) if k}
+        by = parameters_by(self.free, names)
+        place = _CHAINED[case.kind]
+        given = case.given[place]
+
+        def planned(q):
+            return {'at': _planned(case, given(self.values(q)) if of_values(given) else given,
+                                   R.t)}
+        changes = np.zeros(planned(p)['at'].shape + (len(p),))
+        for k in np.flatnonzero(exact) if of_values(given) else ():
+            changes[..., k] = self.slope(k, p, planned)['at']
+        slopes = of_inverse if case.kind == 'inverse' else of_positions
+        return slopes(self.who, self.model_at(p), R, changes, by)
 
     def slope(self, k, p, f):
         """The derivative of f (values), a dict of arrays, by variable k."""
@@ -75,7 +95,9 @@ class Cases:
         """The mask of variables that have exact derivatives: no function of the user's depends on
         them."""
         exact = self.exact[case.name][0].copy()
-        functions = [x for x in [*case.given, *case.options.values()] if of_values(x)]
+        told = [x for k, x in enumerate(case.given) if _CHAINED.get(case.kind) != k]
+        told += [x for name, x in case.options.items() if name != 'guess']   # that tells a branch
+        functions = [x for x in told if of_values(x)]
         for f in functions:
             here = f(self.values(p)) if exact.any() else None
             for k in np.flatnonzero(exact):
@@ -106,11 +128,9 @@ class Cases:
 
 def _exact(model, free, case, fields):
     """A mask of the variables with exact derivatives, and why there are not all."""
-    possible = (case.kind == 'run' and set(fields) <= {'x', 'y', 'v', 'extra'}
-                and 'rhp' in ROUTINES and _plain_run(case)
-                and ('y' not in fields or {'jac', 'oup'} <= ROUTINES.keys())
-                and (not NLAM or ({'con', 'tan', 'cop'} <= ROUTINES.keys() and NQ == NU)))
-    exact = np.array([possible and (one.kind != 'parameter' or one.name in KNOWN) for one in free])
+    possible = _possible(case, fields)
+    exact = np.array([possible and (one.kind == 'own' or one.name in KNOWN or (
+        one.kind == 'state' and case.kind == 'run')) for one in free])
     why = ''
     if not possible:
         why = 'no exact derivatives of %s in case %s (%s)' % (
@@ -119,6 +139,40 @@ def _exact(model, free, case, fields):
         why = '%s was not derived for %s (request sensitivity)' % (
             NAME, ', '.join(one.name for one, k in zip(free, exact) if not k))
     return exact, why
+
+
+def _possible(case, fields):
+    """Are there exact derivatives of these fields?"""
+    if case.kind == 'inverse':
+        given = case.given[0]
+        planned = of_values(given) or getattr(given, 'n', len(PLANNED)) == len(PLANNED)
+        return planned and not case.options and fields_of('inverse', fields)
+    if case.kind == 'positions':
+        return fields_of('positions', fields)
+    return (case.kind == 'run' and set(fields) <= {'x', 'y', 'v', 'extra'}
+            and 'rhp' in ROUTINES and _plain_run(case)
+            and ('y' not in fields or {'jac', 'oup'} <= ROUTINES.keys())
+            and (not NLAM or ({'con', 'tan', 'cop'} <= ROUTINES.keys() and NQ == NU)))
+
+
+# which argument plans: exact derivatives go through it
+_CHAINED = {'inverse': 0, 'positions': 1}
+
+
+def _planned(case, given, t):
+    """A planned motion with its derivatives, (planned, 1 + order, nt), or positions of all planned
+    coordinates, (planned, nt)."""
+    if case.kind == 'inverse':
+        poly = as_piecewise('optimize', 'the planned motion', given, len(PLANNED))
+        order = max(2, TABLE['command_order'])
+        return np.stack(poly.derivatives(t, range(order + 1), 1), axis=1)
+    held = [case.given[0]] if isinstance(case.given[0], str) else list(case.given[0])
+    values = np.asarray(given, float).reshape(len(held), -1)
+    names = [row['name'] for row in TABLE['coordinates']]
+    planned = np.zeros((len(PLANNED), values.shape[1]))
+    for name, row in zip(held, values):
+        planned[PLANNED.index(names.index(name))] = row
+    return planned
 
 
 def _plain_run(case):
@@ -173,9 +227,6 @@ def _columns(found, n):
 def _filled(a, n):
     """With the last time once more, up to n."""
     return a[..., np.minimum(np.arange(n), a.shape[-1] - 1)]
-
-
-ACTUATED = [int(k) - 1 for k in np.atleast_1d(TABLE.get('actuated') or [])]
 
 
 def _actuated_alone(who, model, what, held):

@@ -111,7 +111,7 @@ def weights(t):
     t = np.ascontiguousarray(t, float)
     w, slope = np.zeros(len(t)), np.zeros(len(t))
     at = [ctypes.c_void_p(a.ctypes.data) for a in (t, w, slope)]
-    if LIBRARY.gs_loop_weights(ctypes.c_int(len(t)), *at):
+    if LIBRARY.gs_integral_weights(ctypes.c_int(len(t)), *at):
         raise MemoryError('%s.optimize' % NAME)
     return w, slope
 
@@ -119,7 +119,8 @@ def weights(t):
 def differences(start, low, high, at):
     """Where differences of order 4 look for the derivative at a value, and their factors."""
     points, factors = np.zeros(5), np.zeros(5)
-    n = LIBRARY.gs_loop_differences(*map(ctypes.c_double, (start, low, high, at)),
-                                    ctypes.c_void_p(points.ctypes.data),
-                                    ctypes.c_void_p(factors.ctypes.data))
+    variable = Free(start=start, low=low, high=high)
+    n = LIBRARY.gs_difference_points(ctypes.byref(variable), ctypes.c_double(at),
+                                     ctypes.c_void_p(points.ctypes.data),
+                                     ctypes.c_void_p(factors.ctypes.data))
     return points[:n], factors[:n]

@@ -52,8 +52,9 @@ def optimize(self, free, goal=None, demands=None, cases=None, *, solver='auto', 
     cases: rows ("run", times, x0, {options of simulate}), ("inverse", motion, times, {...}),
     ("rest", x, v, {options of trim}), ("positions", names, values, {"guess": q}); more options:
     name, target (a dict: a number, one for each time, a Piecewise or a function of the time), band
-    (0.02, of settling). An argument may be a function of one argument, the values. Derivatives are
-    exact in runs of a scene with the request sensitivity, else differences of order 4.
+    (0.02, of settling). An argument may be a function of one argument, the values. Derivatives of
+    runs, inverse dynamics and positions are exact in a scene with the request sensitivity, else
+    differences of order 4.
 
     solver: "auto", "slsqp", "mma", "cobyla" (NLopt) or "ipopt"; starts: how many places to start
     from, random within the bounds (seed), or a matrix, a row of values for each further start;
@@ -71,7 +72,7 @@ def optimize(self, free, goal=None, demands=None, cases=None, *, solver='auto', 
         search.solve(options, found)
         r = _result(who, search, found)
     finally:
-        LIBRARY.gs_loop_design_free(found.address())
+        LIBRARY.gs_design_free(found.address())
     if r.info == 2:
         raise Error('%s: %s' % (who, r.ended), 2, r)
     if r.info:
@@ -161,7 +162,7 @@ class _Search:
     def solve(self, options, found):
         design = self.design()
         with ONE_AT_A_TIME, self.ends:
-            bad = LIBRARY.gs_loop_optimize(design.address(), options.address(), found.address())
+            bad = LIBRARY.gs_optimize(design.address(), options.address(), found.address())
         if self.ends.failure is not None:
             raise self.ends.failure
         if bad:
