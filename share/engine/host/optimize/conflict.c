@@ -1,7 +1,6 @@
 /* conflict.c: of demands that cannot be met a least set that contradict each other: without any one
  * of them the others can be met. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "gsmbp/failures.h"

@@ -1,8 +1,6 @@
 /* narrow.c: a problem where some choices are made, others free between two numbers; the unknowns
  * above its peaks. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "host/optimize/optimize_parts.h"
 

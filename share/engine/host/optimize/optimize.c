@@ -20,9 +20,8 @@ begin (gs_search_design *w)
   const gs_design *d = w->d;
   gs_room *room = &w->room;
   w->ends = w->o->timeout > 0 ? gs_wall_clock () + w->o->timeout : INFINITY;
-  w->nseries = count_series (d);
   w->v.times = gs_room_take (room, d->ncases, sizeof *w->v.times);
-  w->v.series = gs_room_take (room, w->nseries, sizeof *w->v.series);
+  w->v.series = gs_room_take (room, count_series (d), sizeof *w->v.series);
   w->v.rough = gs_room_places (room, d->nfree);
   w->last_p = gs_room_numbers (room, d->nfree);
   w->last_rows = gs_room_places (room, d->ngoal + d->ndemands);

@@ -53,7 +53,7 @@ typedef struct
   char ended[200], trouble[800];
 } gs_nlp_end;
 
-/* a program of few unknowns, all entries of which are there: f fills the point e and says
+/* a program of few unknowns with all entries of its Jacobian: f fills the point e and returns
  * GS_VALUES_FOUND, ... */
 typedef struct
 {
@@ -71,7 +71,6 @@ typedef struct
   double ends;         /* on the clock; INFINITY: no timeout */
   gs_room room;        /* lives as long as the result */
   gs_design_values v;
-  int nseries;
   double *last_p;      /* nfree: where v is from, for which rows and variables */
   int *last_rows, *last_free, there;
   int failed;          /* why there is no end: GS_DESIGN_REFUSED, ...; */
@@ -108,7 +107,7 @@ typedef struct
 int gs_assess (void *narrowed, const double *z, gs_point *e, char *trouble);
 int gs_count_peaks (const gs_design *d);
 
-/* GS_VALUES_FOUND and the end, or why there is none; first: it must be there where it begins */
+/* GS_VALUES_FOUND and the end of a solver; else w->failed and w->why report why there is none */
 int gs_solve_small (gs_search_design *w, const gs_small_program *p, int solver,
                     const gs_design_options *o, gs_room *room, gs_nlp_end *r);
 

@@ -1,7 +1,6 @@
 /* solve_small.c: a small program solved by Ipopt or NLopt, with its last point and its best one
  * kept. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "gsmbp/failures.h"

@@ -1,6 +1,4 @@
 /* told.c: the result of a design, in numbers and in words. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "host/optimize/optimize_parts.h"
