@@ -66,7 +66,7 @@
 ## and @code{r.derivatives} says so.
 ##
 ## Options: "solver": "auto" (default), "slsqp", "mma", "cobyla" (NLopt, Debian package
-## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
+## libnlopt-dev) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
 ## more, by chance within the bounds, and "seed" of that chance, or a matrix, a row of values for
 ## each further start; "tolerance" (1e-10); limits
 ## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start, and "timeout" [s]
@@ -130,18 +130,12 @@ function [r, info] = gsmbp_optimize (m, free, goal, varargin)
   o = gs.given.call_options (who, known_options (), given(3:end));
   P = problem (who, m, free, goal, given{1:2});
   checked (P, o);
-  o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
-  o.guard = @(f) m.module ("guarded", f, o.ends - time ());
-  P.places = further (P, o);
-  o.watch = @(f) m.module ("guarded", f, Inf);
-  [cut, best, ends, told] = o.watch (@() gs.optimize.try_choices (who, P, o));
-  if (cut)
-    gs.run.stopped_word (who, m, 9, "", false);
-    error ("gsmbp:stopped", "%s: %s: interrupted by Ctrl-C between evaluations", who, m.name);
-  endif
-  best.starts = ends;
-  gs.run.stopped_word (who, m, 9 * strcmp (best.stopped, "interrupted"), "", false);
-  [r, info] = gs.optimize.best_result (who, best, o, P, told);
+  P.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
+  at = @(p, rows, by) m.module ("guarded", @() gs.optimize.row_values (P, p', rows, by), ...
+                                P.ends - time ());
+  s = m.module ("design", who, engine_problem (P), at, search_options (who, P, o));
+  gs.run.stopped_word (who, m, 9 * strcmp (s.stopped, "interrupted"), "", false);
+  [r, info] = gs.optimize.design_result (P, s);
   if (nargout < 2 && info == 2)
     error ("gsmbp:infeasible", "%s: %s: %s", who, m.name, r.ended);
   elseif (any (info == [1, 3]))
@@ -162,12 +156,53 @@ function table = known_options ()
            "nodes", 1000, "whole"};
 endfunction
 
+## as the engine takes it (glue/design.h)
+function p = engine_problem (P)
+  rows_ = P.rows;
+  words = gs.text.table_rows ("GS_DESIGN_WORDS");
+  number = num2cell (numel (words) * ones (1, numel (rows_)));
+  for k = 1:numel (rows_)
+    if (isempty (rows_(k).f))
+      number{k} = find (strcmp (words, rows_(k).word)) - 1;
+    endif
+  endfor
+  rows_ = rmfield (rows_, {"f", "word", "name"});
+  [rows_.number] = number{:};
+  p = struct ("name", P.base.name, "free", {P.free}, "rows", {rows_}, "goals", numel (P.goal), ...
+              "bands", [P.cases.band], "why", strjoin (P.why, "; "));
+endfunction
+
+function e = search_options (who, P, o)
+  word = @(table, word) find (strcmp (gs.text.table_rows (table), word)) - 1;
+  e = struct ("solver", word ("GS_DESIGN_SOLVERS", o.solver), ...
+              "choices", word ("GS_DESIGN_CHOICES", o.choices), "nodes", o.nodes, ...
+              "iterations", o.iterations, "starts", further (P, o), "tolerance", o.tolerance, ...
+              "evaluations", o.evaluations, "seconds", o.seconds, "timeout", o.timeout);
+  for name = {"ipopt", "nlopt"}
+    e.(name{1}) = library (who, P.base, name{1});
+  endfor
+endfunction
+
+## "" where it is not installed
+function file = library (who, m, name)
+  file = "";
+  try
+    file = gs.model.host_library (who, m, name);
+  catch err
+    if (isempty (strfind (err.message, gs.text.refusal_text (["no_" name]))))
+      rethrow (err);
+    endif
+  end_try_catch
+endfunction
+
 function P = problem (who, m, free, goal, demands, cases)
   P.who = who;
   P.free = gs.optimize.free_variables (who, m, free);
   P.cases = gs.optimize.read_cases (who, m, cases);
   P.goal = gs.optimize.goal_rows (who, "goal", goal, P.cases, true);
   P.demands = gs.optimize.goal_rows (who, "demands", demands, P.cases, false);
+  P.rows = P.goal;   # [a, b] of two without rows has no fields
+  P.rows(end+(1:numel (P.demands))) = P.demands;
   P.table = gs.model.name_table (m);
   P.also = {};
   if (any (strcmp ({P.cases.kind}, "rest")))
@@ -180,8 +215,6 @@ function P = problem (who, m, free, goal, demands, cases)
     P.also = [P.also, {"phase_margin", "gain_margin", "delay_margin", "Ms"}];
   endif
   P.base = m;
-  P.used = 1:numel (P.cases);
-  P.given = struct ();
   P.why = {};
   for c = P.cases
     [P.exact.(c.name), why] = gs.optimize.exact_slopes (m, P.free, c, fields (P, c));
@@ -194,7 +227,7 @@ endfunction
 ## the fields of a case's result that goals and demands read
 function list = fields (P, c)
   list = {};
-  for row = [P.goal, P.demands]
+  for row = P.rows
     if (isempty (row.name) || any (strcmp (row.word, {"value", "mass"})) ...
         || ! any (strcmp ({P.cases(row.cases).name}, c.name)))
       continue;
@@ -218,22 +251,33 @@ function list = fields (P, c)
   list = unique (list);
 endfunction
 
-## further starts that are given, a row each
+## further starts, a column each: given, or by chance within the bounds
 function places = further (P, o)
-  places = zeros (0, numel (P.free));
+  low = [P.free.low]';
+  high = [P.free.high]';
   if (! isscalar (o.starts))
-    places = o.starts;
-    if (columns (places) != numel (P.free))
-      error (["%s: option starts: expected a row for each further start, %d numbers (%s), " ...
-              "found %d columns"], P.who, numel (P.free), strjoin ({P.free.name}, ", "), ...
-             columns (places));
-    endif
-    [k, i] = find (! (places >= [P.free.low] & places <= [P.free.high]), 1);
-    if (! isempty (k))
-      error ("%s: option starts: row %d: expected %s from %g to %g, found %g", P.who, k, ...
-             P.free(i).name, P.free(i).low, P.free(i).high, places(k,i));
-    endif
+    places = given_starts (P, o);
+    return;
   endif
+  before = rand ("state");
+  guard = onCleanup (@() rand ("state", before));
+  rand ("state", o.seed);
+  places = low + (high - low) .* rand (numel (low), max (0, o.starts - 1));
+endfunction
+
+function places = given_starts (P, o)
+  places = o.starts;
+  if (columns (places) != numel (P.free))
+    error (["%s: option starts: expected a row for each further start, %d numbers (%s), " ...
+            "found %d columns"], P.who, numel (P.free), strjoin ({P.free.name}, ", "), ...
+           columns (places));
+  endif
+  [k, i] = find (! (places >= [P.free.low] & places <= [P.free.high]), 1);
+  if (! isempty (k))
+    error ("%s: option starts: row %d: expected %s from %g to %g, found %g", P.who, k, ...
+           P.free(i).name, P.free(i).low, P.free(i).high, places(k,i));
+  endif
+  places = places';
 endfunction
 
 function checked (P, o)

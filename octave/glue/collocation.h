@@ -1,7 +1,7 @@
 // Optimal motions (gsmbp_collocate), by host/collocation/collocation.h.
 #pragma once
 
-#include "ipopt.h"
+#include "solvers.h"
 #include "motion_problem.h"
 #include "host/collocation/collocation.h"
 
@@ -191,7 +191,7 @@ static octave_value_list
 do_collocate (arguments& a, int)
 {
   const motion_problem problem (a);
-  the_solver = ipopt_of (a.value ("library").string_value ());
+  the_solver = solver_of (a.value ("library").string_value (), "gs_ipopt");
   const octave_scalar_map o = a.value ("options").scalar_map_value ();
   const octave_scalar_map g = a.value ("guess").scalar_map_value ();
   const gs_description about = described_with_constants ();

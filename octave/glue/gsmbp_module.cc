@@ -15,6 +15,7 @@
 #include "linear.h"
 #include "reach.h"
 #include "collocation.h"
+#include "design.h"
 
 static bool the_interrupt_is_old = false;   // a run ended by it
 
@@ -65,11 +66,13 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "backward", do_backward },
         { "linear", do_linear }, { "trim", do_trim },
         { "tangent", do_tangent }, { "modes", do_modes },
+        { "loop slopes", do_loop_slopes },
         { "choose", do_choose }, { "free", do_free },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
-        { "ipopt", do_ipopt }, { "program", do_program },
-        { "collocate", do_collocate }, { "par", do_par }, { "pre", do_pre },
+        { "program", do_program }, { "collocate", do_collocate },
+        { "design", do_design }, { "weights", do_weights },
+        { "differences", do_differences }, { "par", do_par }, { "pre", do_pre },
         { "chk", do_chk }, { "ini", do_ini }, { "failure", do_failure },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
         { "solve", do_solve }, { "interrupt", do_interrupt }, { "guarded", do_guarded },

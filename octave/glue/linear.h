@@ -4,6 +4,7 @@
 #include "info.h"
 #include "starts.h"
 #include "host/linear/linear.h"
+#include "host/linear/loop_slopes.h"
 
 // numbers of Octave, which begin with 1, and those of C
 static std::vector<int>
@@ -230,4 +231,25 @@ do_modes (arguments& a, int)
   octave_value_list list = ovl (told.verdict, told.text, result (x, nx), r.doubt);
   return list.append (told.verdict == 0 ? modes_of (p, r, square)
                                         : octave_value_list (6, Matrix ()));
+}
+
+// (planned coordinates; changes of parameters, of the planned coordinates, their speeds and
+// accelerations; derivatives of ILP): changes of all, of efforts and multipliers; whether the loops
+// are singular
+static octave_value_list
+do_loop_slopes (arguments& a, int)
+{
+  const std::vector<int> planned = from_zero (a, "planned");
+  const Matrix p = a.matrix ("parameters", -1, -1);
+  const int n = int (p.columns ()), np = int (planned.size ());
+  const Matrix q = a.matrix ("changes", np, 3 * n);
+  const Matrix d = a.matrix ("derivatives", -1, int (4 * S.nu + p.rows ()));
+  NDArray x (dim_vector (S.nu, 3, n), 0.0);
+  Matrix e (S.nu, n, 0.0);
+  const int bad = gs_loop_slopes (S.nu, int (p.rows ()), int (d.rows ()), d.data (), np,
+                                  planned.data (), n, q.data (), p.data (), x.fortran_vec (),
+                                  e.fortran_vec ());
+  if (bad == 1)
+    throw std::bad_alloc ();
+  return ovl (x, e, bad == 2);
 }

@@ -41,7 +41,8 @@ def run_time(compiler, folder):
     os.chdir(os.path.join(HERE, 'c'))
     try:
         names = [name for name in sorted(glob.glob('**/*.[ch]', recursive=True))
-                 if os.path.dirname(name) not in ('scene', 'host/cvode', 'host/ipopt')]
+                 if os.path.dirname(name) not in ('scene', 'host/cvode', 'host/ipopt',
+                                                  'host/nlopt')]
         texts = b''
         for name in names:
             with open(name, 'rb') as file:
@@ -66,8 +67,8 @@ def found(compiler, name):
 
 
 def build_library(compiler, name, common, libraries, target):
-    """A library of its own over SUNDIALS or Ipopt, where that is installed: what else the module
-    does needs neither."""
+    """A library of its own over SUNDIALS, Ipopt or NLopt, where that is installed: what else the
+    module does needs none of them."""
     home = os.path.join(HERE, 'c')
     words = found(compiler, name)
     if words is None:
@@ -108,8 +109,9 @@ class Build(build_py):
                                         libraries=['m'])
             engine = [o for o in common if os.path.dirname(o) != kept]
             build_library(compiler, 'cvode', engine, SUNDIALS, target)
-            build_library(compiler, 'ipopt', [o for o in engine if o.endswith('wall_clock.o')],
-                          ['ipopt'], target)
+            clock = [o for o in engine if o.endswith('wall_clock.o')]
+            build_library(compiler, 'ipopt', clock, ['ipopt'], target)
+            build_library(compiler, 'nlopt', clock, ['nlopt'], target)
 
 
 class Wheel(bdist_wheel):

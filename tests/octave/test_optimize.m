@@ -1,8 +1,8 @@
 ## gsmbp_optimize: known optima, multipliers, contradictions, limits, refusals.
 
 function test_optimize ()
-  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
-    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+  if (! gsmbp_has_nlopt () || ! gsmbp_has_ipopt ())
+    printf ("ok left out: libnlopt-dev or coinor-libipopt-dev is not installed\n");
     return;
   end
   lamp (gsmbp_fixture ("design_lamp"));

@@ -1,8 +1,8 @@
 ## gsmbp_optimize: choices from lists by branch and bound, held against all combinations.
 
 function test_optimize_choices ()
-  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
-    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+  if (! gsmbp_has_nlopt () || ! gsmbp_has_ipopt ())
+    printf ("ok left out: libnlopt-dev or coinor-libipopt-dev is not installed\n");
     return;
   end
   m = gsmbp_set (gsmbp_fixture ("design_lamp"), "k", 0);

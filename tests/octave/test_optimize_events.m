@@ -3,8 +3,8 @@
 ## equations, beside differences.
 
 function test_optimize_events ()
-  if (! exist ("nlopt_optimize", "file"))
-    printf ("ok left out: octave-nlopt is not installed\n");
+  if (! gsmbp_has_nlopt ())
+    printf ("ok left out: libnlopt-dev is not installed\n");
     return;
   end
   m = gsmbp_fixture ("sensitivity_bounce");

@@ -1,8 +1,8 @@
 ## gsmbp_optimize on closed chains: known optima of static balance, efforts along a motion.
 
 function test_optimize_loops ()
-  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
-    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+  if (! gsmbp_has_nlopt () || ! gsmbp_has_ipopt ())
+    printf ("ok left out: libnlopt-dev or coinor-libipopt-dev is not installed\n");
     return;
   end
   m = gsmbp_fixture ("design_linkage");

@@ -2,8 +2,8 @@
 ## linear programs over all subsets.
 
 function test_optimize_prices ()
-  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
-    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+  if (! gsmbp_has_nlopt () || ! gsmbp_has_ipopt ())
+    printf ("ok left out: libnlopt-dev or coinor-libipopt-dev is not installed\n");
     return;
   end
   m = gsmbp_fixture ("design_lamp");

@@ -1,8 +1,8 @@
 ## gsmbp_optimize: the words of goals and demands, each against what is known of it otherwise.
 
 function test_optimize_words ()
-  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
-    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+  if (! gsmbp_has_nlopt () || ! gsmbp_has_ipopt ())
+    printf ("ok left out: libnlopt-dev or coinor-libipopt-dev is not installed\n");
     return;
   end
   currents (gsmbp_fixture ("sensitivity_crank"));

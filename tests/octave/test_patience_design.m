@@ -61,7 +61,7 @@ function design (m)
                  && r.limit && isfinite (r.J) && r.J <= 0.2562);
   late = [];
   for solver = {"slsqp", "cobyla", "ipopt"}
-    if (strcmp (solver{1}, "ipopt") || exist ("nlopt_optimize", "file"))
+    if (strcmp (solver{1}, "ipopt") || gsmbp_has_nlopt ())
       [late(end+1), r, said] = interrupted (@() solve ("solver", solver{1}, "starts", 30), 2);
       gsmbp_check (["a design by " solver{1} ": Ctrl-C: the best so far" said], isstruct (r) ...
                    && strcmp (r.stopped, "interrupted") && isfinite (r.J) && r.J <= 0.2562 ...

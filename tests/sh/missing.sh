@@ -84,11 +84,13 @@ if make_ packages && lines 0; then
   path_without
   rm -rf examples/*/out
   check 'without SUNDIALS: make examples' make_ examples
-  check 'without SUNDIALS and Ipopt: two lines' lines 2
+  check 'without SUNDIALS, Ipopt and NLopt: three lines' lines 3
   check 'without SUNDIALS: what is missing for what' \
     says 'GSMBP: missing: libsundials-dev, for method "cvode" of gsmbp_simulate'
   check 'without Ipopt: what is missing for what' \
     says 'GSMBP: missing: coinor-libipopt-dev, for gsmbp_collocate'
+  check 'without NLopt: what is missing for what' \
+    says 'GSMBP: missing: libnlopt-dev, for gsmbp_optimize'
   check 'without SUNDIALS: an example with it is left out' fails test -e examples/stiff/out/finished
   check 'without SUNDIALS: and named' \
     says 'examples/stiff is left out: it needs libsundials-dev'

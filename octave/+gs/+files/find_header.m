@@ -1,6 +1,6 @@
 ## [words, found] = gs.files.find_header (library)
-## The WORDS by which Octave's C compiler finds what header_LIBRARY.h includes, "cvode" or "ipopt"
-## (share/make/find_header), and whether it is installed.
+## The WORDS by which Octave's C compiler finds what header_LIBRARY.h includes, "cvode", "ipopt" or
+## "nlopt" (share/make/find_header), and whether it is installed.
 
 function [words, found] = find_header (library)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];

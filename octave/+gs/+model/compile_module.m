@@ -41,7 +41,7 @@ function w = words (common, precision)
   headers = [glob(fullfile (w.c, "gsmbp", "*.h")); glob(fullfile (w.engine, "host", "*.h"))
              glob(fullfile (w.engine, "host", ...
                             {"implicit", "derivatives", "ensemble", "linear", "reach", "run", ...
-                             "collocation"}, "*.h"))];
+                             "collocation", "optimize"}, "*.h"))];
   w.archive = gs.model.runtime_archive (precision);
   w.runtime = w.archive{3};
   w.generic = [headers; glob(fullfile (w.glue, "*.h")); {fullfile(w.glue, "gsmbp_module.cc")}];

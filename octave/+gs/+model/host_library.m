@@ -1,6 +1,6 @@
 ## library = gs.model.host_library (who, m, name)
-## The shared library NAME, "cvode" or "ipopt", of share/engine/host for the modules of the model M,
-## built where it is missing or old: only who asks for it needs SUNDIALS or Ipopt.
+## The shared library NAME, "cvode", "ipopt" or "nlopt", of share/engine/host for the modules of the
+## model M, built where it is missing or old: only who asks for it needs SUNDIALS, Ipopt or NLopt.
 
 function library = host_library (who, m, name)
   common = fullfile (fileparts (fileparts (m.file)), "common");
@@ -29,12 +29,14 @@ function new = compile (who, cc, name, sources, place)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
   new = "library.so";
   [words, found] = gs.files.find_header (name);
+  others = {"cvode", "no_sundials", ["-lsundials_cvode -lsundials_nvecserial " ...
+                                     "-lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm"]
+            "ipopt", "no_ipopt", "-lipopt -lm"
+            "nlopt", "no_nlopt", "-lnlopt -lm"};
+  [refusal, libraries] = others{strcmp (others(:,1), name),2:3};
   if (! found)
-    error ("%s: %s", who, gs.text.refusal_text ({"no_sundials", "no_ipopt"}{1 + strcmp(name, ...
-                                                                              "ipopt")}));
+    error ("%s: %s", who, gs.text.refusal_text (refusal));
   endif
-  libraries = {["-lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense " ...
-                "-lsundials_sunlinsoldense -lm"], "-lipopt -lm"}{1 + strcmp(name, "ipopt")};
   gs.files.run_command (who, sprintf ("%s -I%s -I%s -o %s %s %s %s %s", cc, ...
                             quote (gs.files.own_place ("share", "engine", "core")), ...
                             quote (gs.files.own_place ("share", "engine")), ...

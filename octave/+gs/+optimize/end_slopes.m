@@ -12,10 +12,10 @@ function [R, parts] = end_slopes (m, R, n, names)
   R.extra = struct ("end_time", R.t(end));
   [w_end, rates] = deal (zeros (k, 1), []);
   if (ends)
-    R.w = [gs.optimize.integral_weights(R.t(:)); zeros(n - k, 1)];
+    R.w = [m.module("weights", R.t(:)); zeros(n - k, 1)];
   endif
   if (ended && ! isempty (names))
-    w_end = gs.optimize.weights_slope (R.t(:));
+    [~, w_end] = m.module ("weights", R.t(:));
     rates = end_rates (m, R);
   endif
   for name = names

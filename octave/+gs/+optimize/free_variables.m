@@ -1,7 +1,7 @@
 ## free = gs.optimize.free_variables (who, m, rows)
 ## What a design may change, a struct array: name, kind (parameter of the model M, state: its start,
-## own: of the user's functions), start, low, high, list (of choices; [] where it is continuous),
-## scale.  ROWS: a cell array, a row {name, start, [low, high]} or {name, start, {a, b, ...}} each.
+## own: of the user's functions), start, low, high, list (of choices; [] where it is continuous).
+## ROWS: a cell array, a row {name, start, [low, high]} or {name, start, {a, b, ...}} each.
 
 function free = free_variables (who, m, rows_)
   if (! (iscell (rows_) && columns (rows_) == 3 && rows (rows_) > 0))
@@ -27,8 +27,11 @@ function f = one (who, m, name, start, bounds)
   what = sprintf ("argument free: %s", name);
   gs.given.check_kind (who, [what ": start"], start, "number");
   f = struct ("name", name, "kind", kind (who, m, name), "start", double (start), ...
-              "low", -Inf, "high", Inf, "list", [], "scale", 1);
+              "low", -Inf, "high", Inf, "list", []);
   if (iscell (bounds))
+    if (strcmp (f.kind, "state"))
+      error ("%s: %s: a start of a state cannot be chosen from a list", who, what);
+    endif
     f.list = choices (who, what, bounds);
     [f.low, f.high] = deal (min (f.list), max (f.list));
   else
@@ -36,11 +39,6 @@ function f = one (who, m, name, start, bounds)
   endif
   if (! (start >= f.low && start <= f.high))
     error ("%s: %s: expected a start from %g to %g, found %g", who, what, f.low, f.high, start);
-  endif
-  if (start != 0)
-    f.scale = abs (start);
-  elseif (isfinite (f.high - f.low))
-    f.scale = f.high - f.low;
   endif
 endfunction
 

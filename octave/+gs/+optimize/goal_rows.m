@@ -1,13 +1,12 @@
 ## rows = gs.optimize.goal_rows (who, what, given, cases, goal)
 ## Goals (GOAL: true) or demands, a struct array: word, name, factor, relation, bound, cases (their
-## numbers), f (a function instead), text, above (a goal by a number above all values).  GIVEN: a
-## cell array, a row for each: {word, name}, {word, name, factor} of a goal, {word, name,
-## relation, bound} of a demand, each with the name of a load case behind it if it is of one
-## alone; {f}, {f, factor}, {f, relation, bound} of functions.
+## numbers), f (a function instead), text.  GIVEN: a cell array, a row for each: {word, name},
+## {word, name, factor} of a goal, {word, name, relation, bound} of a demand, each with the name of
+## a load case after it if it is of one alone; {f}, {f, factor}, {f, relation, bound} of functions.
 
 function list = goal_rows (who, what, given, cases, goal)
   list = struct ("word", {}, "name", {}, "factor", {}, "relation", {}, "bound", {}, ...
-                 "cases", {}, "f", {}, "text", {}, "above", {});
+                 "cases", {}, "f", {}, "text", {});
   if (is_function_handle (given))
     given = {given};
   elseif (isempty (given))
@@ -28,7 +27,7 @@ endfunction
 
 function r = one (who, here, row, cases, goal)
   r = struct ("word", "", "name", "", "factor", 1, "relation", "", "bound", 0, ...
-              "cases", 1:numel (cases), "f", [], "text", "", "above", false);
+              "cases", 1:numel (cases), "f", [], "text", "");
   if (is_function_handle (row{1}))
     r.f = row{1};
     r.text = func2str (row{1});
@@ -55,7 +54,7 @@ function r = one (who, here, row, cases, goal)
 endfunction
 
 function r = named (who, here, r, row, cases)
-  words = gs.optimize.measure_word ();
+  words = gs.text.table_rows ("GS_DESIGN_WORDS")';
   if (! (numel (row) > 1 && ischar (row{1}) && ischar (row{2})))
     error ("%s: %s: expected a word and a name, or a function, found %s", who, here, ...
            strjoin (cellfun (@gs.text.shown_value, row, "UniformOutput", false), ", "));
@@ -79,8 +78,6 @@ function r = of_goal (who, here, r, rest)
   if (strcmp (r.word, "each"))
     error ("%s: %s: each is a word of demands; expected one number to make small", who, here);
   endif
-  r.above = (any (strcmp (r.word, {"peak", "max"})) && r.factor > 0) ...
-            || (strcmp (r.word, "min") && r.factor < 0);
 endfunction
 
 function r = of_demand (who, here, r, rest)

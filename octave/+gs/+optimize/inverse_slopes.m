@@ -75,7 +75,7 @@ function Q = moved (P, c, t, p, by, nu, k)
   endif
   at = @(p) gsmbp_evaluate (c.args{1}(gs.optimize.values_struct (P, p)), t, k);
   for j = find (by)
-    Q(:,:,:,j) = gs.optimize.value_slope (@(s) at (gs.optimize.replace_value (p, j, s)), ...
-                                          P.free(j), p(j));
+    Q(:,:,:,j) = gs.optimize.value_slope (P, j, @(s) at (gs.optimize.replace_value (p, j, s)), ...
+                                          p(j));
   endfor
 endfunction

@@ -64,8 +64,8 @@ function D = derivatives (P, m, c, R, p, by, held)
   if (gs.optimize.is_of_values (c.args{2}))
     at = @(p) rowwise (c, c.args{2}(gs.optimize.values_struct (P, p)), numel (held));
     for k = find (by)
-      V(:,:,k) = gs.optimize.value_slope (@(s) at (gs.optimize.replace_value (p, k, s)), ...
-                                          P.free(k), p(k));
+      V(:,:,k) = gs.optimize.value_slope (P, k, @(s) at (gs.optimize.replace_value (p, k, s)), ...
+                                          p(k));
     endfor
   endif
   [has, column] = ismember ({P.free.name}, cellstr (m.json.sensitivity));

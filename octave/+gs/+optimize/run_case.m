@@ -1,18 +1,19 @@
-## [R, D, rough] = gs.optimize.run_case (P, c, p)
+## [R, D, rough] = gs.optimize.run_case (P, c, p, by)
 ## What a load case C gives with the values P of the free variables (of the problem P): a struct R
 ## with the times t, the weights w of an integral over them, and matrices x, v, y, points, tau,
 ## lambda, margins (a row for each time), and extra, a struct of numbers by names.  D: the same
-## fields with a page for each free variable.  ROUGH: which of these were taken by differences.
+## fields with a page for each free variable, those of the mask BY are filled.  ROUGH: which of
+## these were taken by differences.
 ## Rows of a run behind the event that ends it repeat its last row, at weight 0.
 
-function [R, D, rough] = run_case (P, c, p)
+function [R, D, rough] = run_case (P, c, p, by)
   if (nargout < 2)
-    R = weighted (c, values (P, c, p, false));
+    R = weighted (P, c, values (P, c, p, false));
     return;
   endif
-  rough = by_differences (P, c, p);
-  [R, D] = values (P, c, p, ! rough);
-  R = weighted (c, R);
+  rough = by & by_differences (P, c, p);
+  [R, D] = values (P, c, p, by & ! rough);
+  R = weighted (P, c, R);
   for k = find (rough)
     D = put (D, differenced (P, c, p, k), k, numel (p));
   endfor
@@ -35,7 +36,7 @@ function [R, D] = calculated (P, c, p, by)
   given = gs.optimize.fill_arguments ([c.args, c.options], p, P);
   args = given(1:numel (c.args));
   options = given(numel (c.args)+1:end);
-  m = P.model(p);
+  m = gs.optimize.design_model (P, p);
   switch (c.kind)
     case "run"
       [R, D] = simulated (P, m, args, options, p, by);
@@ -72,7 +73,8 @@ function rough = by_differences (P, c, p)
     here = h{1}(gs.optimize.values_struct (P, p));
     for k = find (! rough)
       q = p;
-      q(k) += 1e-3 * P.free(k).scale;
+      v = P.free(k);
+      q(k) = P.base.module ("differences", v.start, v.low, v.high, p(k))(end);
       rough(k) = ! isequal (here, h{1}(gs.optimize.values_struct (P, q)));
     endfor
   endfor
@@ -161,12 +163,12 @@ function [R, D] = rest (P, m, args, options, p, by)
 endfunction
 
 ## the weights of an integral over the times; of single positions and equilibria their mean
-function R = weighted (c, R)
+function R = weighted (P, c, R)
   n = numel (R.t);
   if (! any (strcmp (c.kind, {"run", "inverse"})))
     R.w = ones (n, 1) / n;
   elseif (! isfield (R, "w"))
-    R.w = gs.optimize.integral_weights (R.t(:));
+    R.w = P.base.module ("weights", R.t(:));
   endif
   if (! isfield (R, "extra"))
     R.extra = struct ();
@@ -195,7 +197,7 @@ endfunction
 ## by one variable, differences of order 4
 function D = differenced (P, c, p, k)
   at = @(s) fields_of (values (P, c, gs.optimize.replace_value (p, k, s), false (1, numel (p))));
-  D = gs.optimize.value_slope (at, P.free(k), p(k));
+  D = gs.optimize.value_slope (P, k, at, p(k));
 endfunction
 
 ## the fields that are numbers

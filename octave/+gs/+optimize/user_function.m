@@ -1,9 +1,9 @@
-## [f, F, rough] = gs.optimize.user_function (P, row, results, p)
+## [f, F, rough] = gs.optimize.user_function (P, row, results, p, by)
 ## A goal or demand that is a function of the user's: f (values) or f (values, results), with the
 ## derivatives by the free variables, columns, as second result, or by differences of order 4
-## (ROUGH).
+## (ROUGH), by those of the mask BY.
 
-function [f, F, rough] = user_function (P, row, results, p)
+function [f, F, rough] = user_function (P, row, results, p, by)
   s = gs.optimize.values_struct (P, p);
   takes = nargin (row.f);
   args = {s, results}(1:min (2, abs (takes)));
@@ -27,9 +27,9 @@ function [f, F, rough] = user_function (P, row, results, p)
   rough = isempty (F);
   if (rough)
     F = zeros (numel (f), numel (p));
-    for k = 1:numel (p)
+    for k = find (by)
       at = @(v) again (P, row, takes, gs.optimize.replace_value (p, k, v));
-      F(:,k) = gs.optimize.value_slope (at, P.free(k), p(k));
+      F(:,k) = gs.optimize.value_slope (P, k, at, p(k));
     endfor
   elseif (! isequal (size (F), [numel(f), numel(p)]))
     error ("%s: %s: expected derivatives of %d x %d numbers (by %s), found %d x %d", P.who, ...

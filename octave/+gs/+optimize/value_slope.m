@@ -1,19 +1,11 @@
-## D = gs.optimize.value_slope (f, variable, at)
-## The derivative of f (value), an array or a struct of arrays, by a free variable (its scale, low
-## and high) at the value AT: differences of order 4 within its bounds, from one side at a bound.
+## D = gs.optimize.value_slope (P, k, f, at)
+## The derivative of f (value), an array or a struct of arrays, by free variable K of the design P
+## at the value AT: differences of order 4 within its bounds, from one side at a bound.
 
-function D = value_slope (f, variable, at)
-  h = 1e-3 * variable.scale;
-  up = (variable.high - at) / 2;
-  down = (at - variable.low) / 2;
-  if (min (up, down) >= h / 100)
-    h = min ([h, up, down]);
-    D = combined ({f(at + 2 * h), f(at + h), f(at - h), f(at - 2 * h)}, [-1 8 -8 1] / (12 * h));
-  else
-    h = merge (up > down, 1, -1) * min (h, max (up, down) / 2);
-    D = combined ({f(at), f(at + h), f(at + 2 * h), f(at + 3 * h), f(at + 4 * h)}, ...
-                  [-25 48 -36 16 -3] / (12 * h));
-  endif
+function D = value_slope (P, k, f, at)
+  v = P.free(k);
+  [points, factors] = P.base.module ("differences", v.start, v.low, v.high, at);
+  D = combined (arrayfun (f, points, "UniformOutput", false), factors);
 endfunction
 
 ## less the first value: of numbers that do not change exactly 0

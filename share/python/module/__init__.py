@@ -10,6 +10,7 @@
     m.modes(x)                    small vibrations
     m.reach(name, P, R)           inverse kinematics
     m.collocate(x0, xf, time=T)   an optimal motion
+    m.optimize(free, goal, demands, cases)   a design
     m.states, m.units, ...        names and units
 
 All numbers are in SI units. An argument may have one more dimension, of k states, at its end.
@@ -22,14 +23,15 @@ from ._linear import LinearModel
 from ._model import Model
 from ._modes import Modes
 from ._motion import Piecewise, plan, table as table_of
+from ._optimize import Optimum
 from ._reach import Reach
 from ._run import Result, RunWarning
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Modes', 'Reach', 'Collocation', 'Piecewise', 'plan', 'table_of',
-           'table']
+           'LinearModel', 'Trim', 'Modes', 'Reach', 'Collocation', 'Optimum', 'Piecewise', 'plan',
+           'table_of', 'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Modes, Reach, Collocation, Piecewise):
+             Trim, Modes, Reach, Collocation, Optimum, Piecewise):
     _one.__module__ = __name__

@@ -97,6 +97,30 @@ class Collocation(NamedTuple):
     ended: str
     stopped: str
 
+class Optimum(NamedTuple):
+    values: dict[str, float]
+    J: float
+    model: Model
+    results: dict[str, Any]
+    active: list[dict[str, Any]]
+    solved: bool
+    ended: str
+    limit: bool
+    violation: float
+    optimality: float
+    iterations: Optional[int]
+    evaluations: int
+    solver: str
+    starts: list[dict[str, Any]]
+    stopped: str
+    derivatives: str
+    conflict: list[str]
+    info: int
+    choices: dict[str, Any]
+    report: str
+
+DesignRows = Union[tuple[Any, ...], Sequence[tuple[Any, ...]], Callable[..., Any], None]
+
 Bounds = Optional[Mapping[str, tuple[float, float]]]
 
 class Inverse(NamedTuple):
@@ -206,6 +230,13 @@ class Model(Routines):
                   polish: bool = True, regularize: float = 1.0, tolerance: float = 1e-9,
                   iterations: int = 500, seconds: float = 60.0,
                   timeout: float = 0.0) -> Collocation: ...
+    def optimize(self, free: Union[tuple[Any, ...], Sequence[tuple[Any, ...]]],
+                 goal: DesignRows = None, demands: DesignRows = None, cases: DesignRows = None, *,
+                 solver: Literal['auto', 'slsqp', 'mma', 'cobyla', 'ipopt'] = 'auto',
+                 starts: Union[int, ArrayLike] = 1, seed: int = 1, tolerance: float = 1e-10,
+                 iterations: int = 500, evaluations: int = 1000, seconds: float = ...,
+                 timeout: float = 0.0, choices: Literal['auto', 'all', 'branch'] = 'auto',
+                 nodes: int = 1000) -> Optimum: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

@@ -19,7 +19,7 @@ from ._tables import REFUSALS, check, is_number
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 NZ = NX + NU + NLAM + NV   # unknowns of a point: states, accelerations, multipliers, inputs
-ONE_AT_A_TIME = threading.Lock()   # as MUMPS is
+ONE_AT_A_TIME = threading.RLock()   # as MUMPS is; a goal of optimize may call collocate
 COSTS = 'names of outputs, states or inputs, NAME^2, NAME*NAME, "final NAME" and "time"'
 
 Collocation = collections.namedtuple(

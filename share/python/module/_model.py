@@ -5,8 +5,8 @@ import warnings
 
 import numpy as np
 
-from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _modes, _reach, _run,
-               _start, _trim)
+from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _modes, _optimize,
+               _reach, _run, _start, _trim)
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -141,6 +141,7 @@ class Model(Routines):
     modes = explained(_modes.modes)
     reach = explained(_reach.reach)
     collocate = explained(_collocate.collocate)
+    optimize = explained(_optimize.optimize)
 
 
 def _again(parameters):

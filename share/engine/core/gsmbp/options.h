@@ -60,6 +60,36 @@
   ROW (kane, 6)                                                                                    \
   ROW (index2, 2)
 
+/* ROW (word): what goals and demands of a design say of a quantity over the times of a load case;
+ * value, mass: of none */
+#define GS_DESIGN_WORDS(ROW)                                                                       \
+  ROW (start)                                                                                      \
+  ROW (end)                                                                                        \
+  ROW (mean)                                                                                       \
+  ROW (integral)                                                                                   \
+  ROW (drawn)    /* the integral where it is positive */                                           \
+  ROW (square)   /* the mean of squares */                                                         \
+  ROW (rms)                                                                                        \
+  ROW (peak)     /* the largest modulus */                                                         \
+  ROW (max)                                                                                        \
+  ROW (min)                                                                                        \
+  ROW (each)     /* at every time; of demands */                                                   \
+  ROW (settling) /* the time until the modulus stays within a band */                              \
+  ROW (value)    /* of a variable */                                                               \
+  ROW (mass)     /* of links */
+
+/* how a design is solved; how the best of the combinations of choices is found */
+#define GS_DESIGN_SOLVERS(ROW)                                                                     \
+  ROW (auto)                                                                                       \
+  ROW (slsqp)                                                                                      \
+  ROW (mma)                                                                                        \
+  ROW (cobyla)                                                                                     \
+  ROW (ipopt)
+#define GS_DESIGN_CHOICES(ROW)                                                                     \
+  ROW (auto)                                                                                       \
+  ROW (all)                                                                                        \
+  ROW (branch)
+
 /* iopt: IOPT of gs_integrate */
 enum
 {

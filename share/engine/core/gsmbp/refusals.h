@@ -43,6 +43,7 @@
   ROW (no_sundials, "method \"cvode\" needs SUNDIALS 6 or 7, which is not installed (Debian: "     \
        "libsundials-dev)")                                                                         \
   ROW (no_ipopt, "Ipopt is not installed (Debian: coinor-libipopt-dev)")                           \
+  ROW (no_nlopt, "NLopt is not installed (Debian: libnlopt-dev)")                                  \
   ROW (input, "expected %d finite numbers (%s), a piecewise polynomial, %s, found %s")             \
   ROW (given_mode, "the mode of %s is no input: expected 0 in its place, or that of option "       \
        "modes; found %g")                                                                          \

@@ -53,8 +53,8 @@ typedef struct
 /* The result; 0; 1: no memory; 2: an option or the problem is refused, which ended says. */
 typedef int gs_nlp_solver (const gs_nlp *p, const gs_nlp_options *o, gs_nlp_result *r);
 
-/* by Ipopt (host/ipopt), in a library of its own */
-gs_nlp_solver gs_ipopt;
+/* by Ipopt (host/ipopt), NLopt (host/nlopt), in libraries of their own */
+gs_nlp_solver gs_ipopt, gs_nlopt;
 
 /* the time on a clock [s] */
 double gs_wall_clock (void);

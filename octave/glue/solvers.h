@@ -1,27 +1,25 @@
-// Ipopt (host/ipopt) for Octave: libgsmbp_ipopt.so, which is built when it is first asked for.
+// Solvers (host/ipopt, host/nlopt) for Octave: libraries that are built when they are first asked
+// for.
 #pragma once
 
 #include <dlfcn.h>
+#include <map>
 
 #include "arguments.h"
 #include "patience.h"
 #include "host/collocation/nlp.h"
 
 static gs_nlp_solver *
-ipopt_of (const std::string& library)
+solver_of (const std::string& library, const char *name)
 {
-  static gs_nlp_solver *solver = nullptr;
-  static std::string loaded;
-  if (loaded != library)
-    {
-      void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
-      void *address = handle ? dlsym (handle, "gs_ipopt") : nullptr;
-      if (! address)
-        error ("gsmbp_collocate: cannot load %s: %s", library.c_str (), dlerror ());
-      solver = reinterpret_cast<gs_nlp_solver *> (address);
-      loaded = library;
-    }
-  return solver;
+  static std::map<std::string, gs_nlp_solver *> loaded;
+  if (loaded.count (library))
+    return loaded[library];
+  void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
+  void *address = handle ? dlsym (handle, name) : nullptr;
+  if (! address)
+    error ("%s: cannot load %s: %s", S.name, library.c_str (), dlerror ());
+  return loaded[library] = reinterpret_cast<gs_nlp_solver *> (address);
 }
 
 // arrays of a result
@@ -262,140 +260,4 @@ gsmbp_solve_apart (const gs_nlp *p, const gs_nlp_options *o, gs_nlp_result *r)
   if (! whole)
     r->interrupted = ! late;
   return bad;
-}
-
-// A program whose parts are what a function of Octave gives: f (what, x, factor, lambda)
-class octave_program
-{
-public:
-
-  octave_program (const octave_value& f, int n, int m, int jacobian, int hessian)
-    : m_f (f), m_n (n), m_m (m), m_count { 1, n, m, jacobian, hessian }
-  { }
-
-  std::string text;   // the last error of f
-
-  static int evaluate (void *data, int part, const double *z, double factor,
-                       const double *lambda, double *out)
-  { return static_cast<octave_program *> (data)->ask (part, z, factor, lambda, out); }
-
-  static int interrupted (void *data)
-  {
-    octave_program& p = *static_cast<octave_program *> (data);
-    return p.m_interrupted = p.m_interrupted || patience::signalled ();
-  }
-
-private:
-
-  int ask (int part, const double *z, double factor, const double *lambda, double *out)
-  {
-    static const char *const words[] = { "f", "grad", "g", "jac", "hess" };
-    try
-      {
-        ColumnVector x (m_n), l (lambda ? m_m : 0);
-        std::copy (z, z + m_n, x.fortran_vec ());
-        if (lambda)
-          std::copy (lambda, lambda + m_m, l.fortran_vec ());
-        const octave_value_list r = octave::feval (m_f, ovl (words[part], x, factor, l), 1);
-        const Matrix v = r(0).matrix_value ();
-        if (v.numel () != m_count[part])
-          error ("expected %d numbers of %s, found %d", m_count[part], words[part],
-                 int (v.numel ()));
-        std::copy (v.data (), v.data () + v.numel (), out);
-        return 1;
-      }
-    catch (const octave::execution_exception& e)
-      {
-        text = e.message ();
-      }
-    catch (const octave::interrupt_exception&)
-      {
-        m_interrupted = true;
-      }
-    octave::interpreter::the_interpreter ()->recover_from_exception ();
-    return 0;
-  }
-
-  octave_value m_f;
-  int m_n, m_m, m_count[5];
-  bool m_interrupted = false;
-};
-
-// names and values, in turn, as options of the solver
-struct nlp_words
-{
-  explicit nlp_words (const Cell& given)
-  {
-    for (octave_idx_type i = 0; i + 1 < given.numel (); i += 2)
-      {
-        const octave_value& v = given(i + 1);
-        texts.push_back (given(i).string_value ());
-        const char *name = texts.back ().c_str ();
-        texts.push_back (v.is_string () ? v.string_value () : "");
-        list.push_back ({ name, v.is_string () ? texts.back ().c_str () : nullptr,
-                          v.is_string () ? 0 : v.double_value (), v.is_int32_type () });
-      }
-  }
-
-  std::list<std::string> texts;
-  std::vector<gs_nlp_word> list;
-};
-
-// (library, a struct with x0, low, high; glow, ghigh; jac, hess: rows and columns of entries; f: a
-// function; a struct with tolerance, iterations,
-// evaluations, seconds, options): a struct as gs_nlp_result, text: the last error of f
-static octave_value_list
-do_ipopt (arguments& a, int)
-{
-  the_solver = ipopt_of (a.value ("library").string_value ());
-  const octave_scalar_map p = a.value ("problem").scalar_map_value ();
-  const octave_scalar_map o = a.value ("options").scalar_map_value ();
-  auto vector = [&] (const char *name) { return p.contents (name).column_vector_value (); };
-  auto number_of = [&] (const char *name) { return o.contents (name).double_value (); };
-  const ColumnVector x0 = vector ("x0"), low = vector ("low"), high = vector ("high"),
-                     glow = vector ("glow"), ghigh = vector ("ghigh");
-  const Matrix jac = p.contents ("jac").matrix_value (), hess = p.contents ("hess").matrix_value ();
-  std::vector<int> places[4];
-  for (int k = 0; k < 4; k++)
-    for (octave_idx_type i = 0; i < (k < 2 ? jac : hess).rows (); i++)
-      places[k].push_back (int ((k < 2 ? jac : hess)(i, k % 2)) - 1);
-  const int n = int (x0.numel ()), m = int (glow.numel ()), nj = int (jac.rows ()),
-            nh = hess.isempty () ? -1 : int (hess.rows ());
-  octave_program asked (p.contents ("f"), n, m, nj, nh);
-  const gs_nlp nlp
-      = { n, m, x0.data (), low.data (), high.data (), glow.data (), ghigh.data (), nj, nh,
-          places[0].data (), places[1].data (), places[2].data (), places[3].data (), &asked,
-          octave_program::evaluate };
-  const nlp_words words (o.contents ("options").cell_value ());
-  const gs_nlp_options options
-      = { number_of ("tolerance"), number_of ("evaluations"), number_of ("seconds"),
-          int (number_of ("iterations")), int (words.list.size ()), words.list.data (),
-          octave_program::interrupted, &asked };
-  nlp_arrays r (n, m);
-  while (! the_worker.free ())
-    octave_quit ();
-  const int bad = the_solver (&nlp, &options, &r.r);
-  if (r.r.interrupted)
-    octave::interpreter::the_interpreter ()->recover_from_exception ();
-  if (bad == 1)
-    throw std::bad_alloc ();
-  if (bad)
-    error ("%s", r.r.ended);
-  octave_quit ();   // SIGTERM
-  octave_scalar_map s;
-  s.assign ("x", result (r.x, n, 1));
-  s.assign ("g", result (r.g, m, 1));
-  s.assign ("lambda", result (r.lambda, m, 1));
-  s.assign ("zl", result (r.zl, n, 1));
-  s.assign ("zu", result (r.zu, n, 1));
-  s.assign ("J", r.r.goal);
-  s.assign ("status", r.r.status);
-  s.assign ("iterations", r.r.iterations);
-  s.assign ("solved", bool (r.r.solved));
-  s.assign ("limit", bool (r.r.limit));
-  s.assign ("infeasible", bool (r.r.infeasible));
-  s.assign ("interrupted", bool (r.r.interrupted));
-  s.assign ("ended", r.r.ended);
-  s.assign ("text", asked.text);
-  return ovl (s);
 }

@@ -1,0 +1,248 @@
+/* conflict.c: of demands that cannot be met a least set that contradict each other: without any one
+ * of them the others can be met. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/failures.h"
+#include "host/optimize/optimize_parts.h"
+
+static const double missed = 1e-7; /* beside sizes: a sum above it is no rounding */
+
+/* some demands, each loosened by an unknown beside its size */
+typedef struct
+{
+  gs_narrowed *q;
+  gs_point e;
+  double *sizes;
+} elastic;
+
+/* the cases that the demands read, as rows */
+static void
+choose (gs_narrowed *q, const int *demands, int many)
+{
+  const gs_design *d = q->w->d;
+  q->goals = q->npeaks = 0;
+  q->ndemands = many;
+  for (int k = 0; k < d->ngoal + d->ndemands; k++)
+    q->rows[k] = 0;
+  for (int k = 0; k < many; k++)
+    {
+      q->demands[k] = demands[k];
+      q->rows[d->ngoal + demands[k]] = 1;
+    }
+}
+
+/* the sum of what the demands are loosened by, as f of a gs_small_program; each number that has a
+ * bound above comes first, then those that have one below */
+static int
+loosened (void *of, const double *z, gs_point *e, char *trouble)
+{
+  elastic *x = of;
+  gs_point *a = &x->e;
+  const int n = x->q->n, ns = x->q->ndemands;
+  const int found = gs_assess (x->q, z, a, trouble);
+  int m = 0;
+  if (found != GS_VALUES_FOUND)
+    return found;
+  for (int i = 0; i < a->m; i++)
+    m += (a->high[i] < INFINITY) + (a->low[i] > -INFINITY);
+  if (gs_point_size (e, n + ns, m))
+    {
+      gs_search_full (x->q->w);
+      return GS_VALUES_FAILED;
+    }
+  for (int s = 0; s < ns; s++)
+    {
+      e->J += z[n + s];
+      e->gJ[n + s] = 1;
+    }
+  for (int up = 1, at = 0; up >= 0; up--)
+    for (int i = 0; i < a->m; i++)
+      {
+        if (! (up ? a->high[i] < INFINITY : a->low[i] > -INFINITY))
+          continue;
+        const double by = (up ? -1 : 1) * x->sizes[i];
+        e->g[at] = a->g[i] + by * z[n + a->row[i]];
+        for (int j = 0; j < n; j++)
+          e->a[at + m * j] = a->a[i + a->m * j];
+        e->a[at + m * (n + a->row[i])] = by;
+        e->low[at] = up ? -INFINITY : a->low[i];
+        e->high[at++] = up ? a->high[i] : INFINITY;
+      }
+  e->there = 1;
+  return found;
+}
+
+/* by how much each demand is missed; the sum */
+static double
+miss (const elastic *x, double *s)
+{
+  const gs_point *a = &x->e;
+  double sum = 0;
+  for (int k = 0; k < x->q->ndemands; k++)
+    s[k] = 0;
+  for (int i = 0; i < a->m; i++)
+    s[a->row[i]] = fmax (s[a->row[i]],
+                         fmax (a->low[i] - a->g[i], a->g[i] - a->high[i]) / x->sizes[i]);
+  for (int k = 0; k < x->q->ndemands; k++)
+    sum += s[k];
+  return sum;
+}
+
+/* one solver from z; the point that is better takes its place */
+static int
+relax_by (elastic *x, int solver, double *z, double *best, gs_room *room)
+{
+  gs_narrowed *q = x->q;
+  const int n = q->n, ns = q->ndemands, all = n + ns;
+  gs_design_options o = *q->w->o;
+  double *begin = gs_room_numbers (room, 3 * all), *low = begin + all, *high = low + all;
+  double *here = gs_room_numbers (room, ns), sum = 0, sum_here = 0;
+  char trouble[800] = "";
+  gs_nlp_end r;
+  if (! begin || ! here)
+    return gs_search_full (q->w);
+  o.evaluations = fmin (o.evaluations, 300);
+  o.tolerance = 1e-8;
+  for (int j = 0; j < all; j++)
+    {
+      begin[j] = j < n ? z[j] : 1.01 * best[j - n] + 1e-3;
+      low[j] = j < n ? q->low[j] : 0;
+      high[j] = j < n ? q->high[j] : INFINITY;
+      sum += j < n ? 0 : best[j - n];
+    }
+  const gs_small_program p = { all, 0, begin, low, high, x, loosened };
+  int found = gs_solve_small (q->w, &p, solver, &o, room, &r);
+  if (found == GS_VALUES_FOUND && r.stopped)
+    {
+      gs_search_failed (q->w, r.stopped == GS_TIMED_OUT ? GS_VALUES_LATE : GS_VALUES_INTERRUPTED,
+                        "",
+                        "while it was looked for the least set of demands that contradict each "
+                        "other");
+      found = GS_VALUES_FAILED;
+    }
+  if (found == GS_VALUES_FOUND)
+    {
+      found = gs_assess (q, r.z, &x->e, trouble);
+      if (found != GS_VALUES_FOUND)
+        gs_search_failed (q->w, found, trouble, "before the first values were there");
+    }
+  if (found == GS_VALUES_FOUND)
+    {
+      sum_here = miss (x, here);
+      if (sum_here < sum)
+        {
+          memcpy (best, here, (size_t)ns * sizeof *best);
+          memcpy (z, r.z, (size_t)n * sizeof *z);
+        }
+    }
+  gs_point_free (&r.e);
+  return found;
+}
+
+/* the values z that miss the demands by least, from z on; best: by how much each of them */
+static int
+relax (gs_narrowed *q, const int *demands, int many, double *z, double *best)
+{
+  static const int solvers[] = { GS_SOLVER_ipopt, GS_SOLVER_slsqp };
+  gs_room room = { NULL, 0 };
+  elastic x = { .q = q };
+  char trouble[800] = "";
+  choose (q, demands, many);
+  int found = gs_assess (q, z, &x.e, trouble);
+  if (found != GS_VALUES_FOUND)
+    gs_search_failed (q->w, found, trouble, "before the first values were there");
+  else
+    x.sizes = gs_room_numbers (&room, x.e.m);
+  if (x.sizes)
+    {
+      gs_point_sizes (&x.e, x.sizes);
+      double sum = miss (&x, best);
+      for (int k = 0; k < 2 && sum > missed && found == GS_VALUES_FOUND; k++)
+        if (k == 0 ? q->w->o->ipopt != NULL : q->w->o->nlopt != NULL)
+          {
+            found = relax_by (&x, solvers[k], z, best, &room);
+            sum = 0;
+            for (int i = 0; i < many; i++)
+              sum += best[i];
+          }
+    }
+  gs_point_free (&x.e);
+  gs_room_free (&room);
+  return found != GS_VALUES_FOUND || ! x.sizes;
+}
+
+static double
+largest (int n, const double *x)
+{
+  double most = 0;
+  for (int i = 0; i < n; i++)
+    most = fmax (most, x[i]);
+  return most;
+}
+
+/* is least without demand k a contradiction? then it is left out */
+static int
+leave_out (gs_narrowed *q, int k, int *least, int *many, double *z, double *best)
+{
+  gs_room room = { NULL, 0 };
+  int *rest = gs_room_places (&room, *many), n = 0;
+  double *there = gs_room_numbers (&room, q->n);
+  int bad = ! rest || ! there;
+  for (int i = 0; ! bad && i < *many; i++)
+    if (least[i] != k)
+      rest[n++] = least[i];
+  if (! bad)
+    {
+      memcpy (there, z, (size_t)q->n * sizeof *z);
+      bad = relax (q, rest, n, there, best);
+    }
+  if (! bad && largest (n, best) > missed)
+    {
+      memcpy (least, rest, (size_t)n * sizeof *rest);
+      memcpy (z, there, (size_t)q->n * sizeof *z);
+      *many = n;
+    }
+  gs_room_free (&room);
+  return bad;
+}
+
+static void
+put_bounds (const gs_narrowed *q, const double *z, gs_writer *t)
+{
+  for (int j = 0; j < q->n; j++)
+    for (int up = 0; up < 2; up++)
+      {
+        const double bound = up ? q->high[j] : q->low[j];
+        if (! (fabs (z[j] - bound) <= 1e-6 * fmax (1, fabs (bound))))
+          continue;
+        gs_put (t, "%s%s %s %g", t->length ? ", " : "", q->w->d->free[q->at[j]].name,
+                up ? "<=" : ">=", bound * q->scale[j]);
+        break;
+      }
+}
+
+int
+gs_find_conflict (gs_search_design *w, gs_best *b, int *least, double *z, gs_writer *bounds)
+{
+  gs_narrowed *q = &b->q;
+  const int all = w->d->ndemands;
+  gs_room room = { NULL, 0 };
+  double *best = gs_room_numbers (&room, 2 * all + 1), *first = best + all;
+  int many = all, bad = ! best;
+  for (int k = 0; k < all; k++)
+    least[k] = k;
+  for (int j = 0; j < q->n; j++)
+    z[j] = q->start[j];
+  bad = bad || relax (q, least, all, z, first);
+  /* those that can be met by themselves are not among them; then one after the other is left out */
+  for (int pass = 0; pass < 2; pass++)
+    for (int k = all - 1; k >= 0 && ! bad && many > 1; k--)
+      if ((first[k] > missed) == (pass == 1))
+        bad = leave_out (q, k, least, &many, z, best);
+  bad = bad || relax (q, least, many, z, best);
+  if (! bad)
+    put_bounds (q, z, bounds);
+  gs_room_free (&room);
+  return bad ? -1 : many;
+}

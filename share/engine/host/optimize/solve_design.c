@@ -1,0 +1,310 @@
+/* solve_design.c: the best end of a problem, from one start or several. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gsmbp/failures.h"
+#include "host/optimize/optimize_parts.h"
+
+const char *
+gs_stopped_text (int stopped)
+{
+  return stopped == GS_TIMED_OUT ? "ended by option timeout" : "interrupted by Ctrl-C";
+}
+
+int
+gs_search_failed (gs_search_design *w, int values, const char *trouble, const char *when)
+{
+  if (w->failed)
+    return 1;
+  if (values == GS_VALUES_FAILED)
+    {
+      w->failed = GS_DESIGN_FAILED;
+      snprintf (w->why, sizeof w->why, "%s", trouble);
+      return 1;
+    }
+  const int late = values == GS_VALUES_LATE || gs_wall_clock () >= w->ends;
+  w->failed = GS_DESIGN_STOPPED;
+  snprintf (w->why, sizeof w->why, "%s %s",
+            gs_stopped_text (late ? GS_TIMED_OUT : GS_INTERRUPTED), when);
+  return 1;
+}
+
+int
+gs_is_end (const gs_best *b)
+{
+  return b->p != NULL;
+}
+
+int
+gs_better (const gs_best *a, const gs_best *b)
+{
+  if (! gs_is_end (b))
+    return 1;
+  const int fa = a->r.violation <= GS_FEASIBLE, fb = b->r.violation <= GS_FEASIBLE;
+  return (fa && ! fb)
+         || (fa == fb
+             && (fa ? a->r.e.J < b->r.e.J : a->r.violation < b->r.violation));
+}
+
+void
+gs_best_free (gs_best *b)
+{
+  gs_point_free (&b->r.e);
+  gs_room_free (&b->room);
+  *b = (gs_best){ .p = NULL };
+}
+
+/* ------------------------------------------------------------------------- one start */
+
+/* each unknown above a peak begins above all its values, which are its size */
+static void
+place_peaks (const gs_narrowed *q, const gs_point *e, double *z)
+{
+  for (int s = 0; s < q->npeaks; s++)
+    {
+      double top = 0;
+      const double *a = e->a + e->m * (q->n + s);
+      for (int i = 0, first = 1; i < e->m; i++)
+        if (a[i] != 0 && e->row[i] < 0)
+          {
+            const double ahead = -e->g[i] / a[i];
+            top = first ? ahead : a[i] < 0 ? fmax (top, ahead) : fmin (top, ahead);
+            first = 0;
+          }
+      q->sizes[s] = fmax (fabs (top), 1e-12);
+      z[q->n + s] = top / q->sizes[s];
+    }
+}
+
+/* the variables on which nothing depends */
+static void
+find_idle (gs_narrowed *q, const gs_point *e)
+{
+  for (int j = 0; j < q->n; j++)
+    {
+      int moves = e->gJ[j] != 0;
+      for (int i = 0; i < e->m; i++)
+        moves = moves || e->a[i + e->m * j] != 0;
+      q->idle[q->at[j]] = ! moves;
+    }
+}
+
+/* on which something must depend */
+static int
+refuse_idle (const gs_narrowed *q)
+{
+  gs_search_design *w = q->w;
+  for (int i = 0; i < w->d->nfree; i++)
+    if (q->idle[i] && w->d->free[i].own)
+      {
+        w->failed = GS_DESIGN_REFUSED;
+        snprintf (w->why, sizeof w->why,
+                  "nothing depends on %s at the start (no parameter of %s has that name)",
+                  w->d->free[i].name, w->d->name);
+        return 1;
+      }
+  return 0;
+}
+
+static int
+all_squares (const gs_design *d)
+{
+  for (int i = 0; i < d->ngoal; i++)
+    if (d->rows[i].word != GS_WORD_square || d->rows[i].factor <= 0)
+      return 0;
+  return d->ngoal > 0 && d->ndemands == 0;
+}
+
+/* z: n + npeaks unknowns, the peaks placed; 0 or what there is instead of values */
+static int
+set_up (gs_narrowed *q, double *z, char *trouble)
+{
+  gs_point e = { .size = 0 };
+  for (int s = 0; s < q->npeaks; s++)
+    {
+      q->sizes[s] = 1;
+      z[q->n + s] = 0;
+    }
+  const int found = gs_assess (q, z, &e, trouble);
+  if (found == GS_VALUES_FOUND)
+    {
+      find_idle (q, &e);
+      place_peaks (q, &e, z);
+    }
+  gs_point_free (&e);
+  return found;
+}
+
+/* nothing is free: the values there */
+static int
+only_values (gs_best *b, const double *z, gs_room *room)
+{
+  gs_narrowed *q = &b->q;
+  gs_nlp_end *r = &b->r;
+  int chosen = 0;
+  for (int i = 0; i < q->w->d->nfree; i++)
+    chosen += q->w->d->free[i].nlist > 0;
+  *r = (gs_nlp_end){ .iterations = 0, .evaluations = 1, .size_J = 1,
+                     .z = gs_room_numbers (room, 1) };
+  const int found = gs_assess (q, z, &r->e, r->trouble);
+  if (found != GS_VALUES_FOUND)
+    return found;
+  r->size_g = gs_room_numbers (room, r->e.m);
+  if (! r->size_g)
+    return gs_search_full (q->w);
+  for (int i = 0; i < r->e.m; i++)
+    r->size_g[i] = fmax (fabs (r->e.g[i]), 1);
+  r->violation = gs_point_violation (&r->e, r->size_g);
+  snprintf (r->ended, sizeof r->ended, "%s",
+            chosen ? "all is chosen from lists" : "nothing is free");
+  return found;
+}
+
+static int
+solver_of (const gs_search_design *w, int solver, int newton)
+{
+  if (solver != GS_SOLVER_auto)
+    return solver;
+  return newton || ! w->o->nlopt ? GS_SOLVER_ipopt : GS_SOLVER_slsqp;
+}
+
+/* from the unknowns z to an end; 1: there is none, w->failed says why */
+static int
+one (gs_best *b, double *z, int solver)
+{
+  gs_narrowed *q = &b->q;
+  gs_search_design *w = q->w;
+  const int n = q->n + q->npeaks, newton = all_squares (w->d);
+  char trouble[800] = "";
+  int found = set_up (q, z, trouble);
+  if (found != GS_VALUES_FOUND)
+    return gs_search_failed (w, found, trouble, "before the first values were there");
+  if (refuse_idle (q))
+    return 1;
+  const gs_small_program p = { n, newton, z, q->low, q->high, q, gs_assess };
+  found = n ? gs_solve_small (w, &p, solver_of (w, solver, newton), w->o, &b->room, &b->r)
+            : only_values (b, z, &b->room);
+  b->r.solver = solver_of (w, solver, newton);
+  b->p = gs_room_numbers (&b->room, w->d->nfree);
+  if (found != GS_VALUES_FOUND || ! b->p)
+    return gs_search_failed (w, found, b->r.trouble, "before the first values were there");
+  memcpy (b->p, q->p, (size_t)w->d->nfree * sizeof *b->p);
+  for (int j = 0; j < q->n; j++)
+    b->p[q->at[j]] = b->r.z[j] * q->scale[j];
+  w->room.full |= gs_price (b, q->low, q->high);
+  b->solved = b->r.violation <= GS_FEASIBLE && ! b->r.limit
+              && (b->optimality <= 1e-4 || w->d->ngoal == 0);
+  return 0;
+}
+
+/* ------------------------------------------------------------------------- several starts */
+
+static void
+add_end (gs_search_design *w, gs_design_result *r, const double *p, const gs_best *b)
+{
+  gs_design_end *all = realloc (r->ends, ((size_t)r->nends + 1) * sizeof *all);
+  const int n = w->d->nfree;
+  double *values = gs_room_numbers (&w->room, n);
+  if (all)
+    r->ends = all;
+  if (! all || ! values)
+    {
+      gs_search_full (w);
+      return;
+    }
+  gs_design_end *e = all + r->nends++;
+  *e = (gs_design_end){ .values = values, .J = NAN, .violation = NAN };
+  memcpy (values, p, (size_t)n * sizeof *p);
+  if (! b)
+    {
+      snprintf (e->ended, sizeof e->ended, "no start: %.380s", w->why);
+      return;
+    }
+  e->J = b->r.e.J;
+  e->violation = b->r.violation;
+  e->solved = b->solved;
+  snprintf (e->ended, sizeof e->ended, "%s", b->r.ended);
+}
+
+static void
+cut_short (gs_best *b, int stopped)
+{
+  b->r.stopped = stopped;
+  snprintf (b->r.ended, sizeof b->r.ended, "%s", gs_stopped_text (stopped));
+  b->r.limit = 1;
+  b->solved = 0;
+}
+
+/* the unknowns of start k: the problem's own, then others, within its bounds */
+static void
+start_values (const gs_narrowed *q, int k, double *z)
+{
+  const int n = q->w->d->nfree;
+  for (int j = 0; j < q->n; j++)
+    z[j] = k == 0 ? q->start[j]
+                  : fmax (fmin (q->w->o->starts[n * (k - 1) + q->at[j]] / q->scale[j], q->high[j]),
+                          q->low[j]);
+}
+
+/* what becomes of start k; 1: it is the last one */
+static int
+take_start (gs_search_design *w, gs_best *here, int bad, int k, gs_best *best, gs_design_result *r)
+{
+  if (bad && w->failed == GS_DESIGN_STOPPED && gs_is_end (best))
+    {
+      cut_short (best, gs_wall_clock () >= w->ends ? GS_TIMED_OUT : GS_INTERRUPTED);
+      w->failed = 0;
+      return 1;
+    }
+  if (bad && (k == 0 || w->failed == GS_DESIGN_STOPPED))
+    return 1;
+  if (bad)
+    {
+      add_end (w, r, here->q.p, NULL);
+      w->failed = 0;
+      return 0;
+    }
+  add_end (w, r, here->p, here);
+  const int stopped = here->r.stopped;
+  if (gs_better (here, best))
+    {
+      const gs_best old = *best;
+      *best = *here;
+      *here = old;
+    }
+  if (stopped)
+    cut_short (best, stopped);
+  return stopped != 0;
+}
+
+int
+gs_solve_design (gs_search_design *w, const double *low, const double *high, const double *start,
+                 int solver, gs_best *best, gs_design_result *r, int told)
+{
+  const int before = r->nends;
+  *best = (gs_best){ .p = NULL };
+  w->failed = 0;
+  for (int k = 0; k <= w->o->nstarts && ! w->room.full; k++)
+    {
+      gs_best here = { .p = NULL };
+      if (k > 0 && gs_wall_clock () >= w->ends)
+        {
+          cut_short (best, GS_TIMED_OUT);
+          break;
+        }
+      int bad = gs_narrow (w, low, high, start, &here.room, &here.q);
+      double *z = bad ? NULL : gs_room_numbers (&here.room, here.q.n + here.q.npeaks);
+      if (! z)
+        break;
+      start_values (&here.q, k, z);
+      bad = one (&here, z, solver);
+      const int last = take_start (w, &here, bad, k, best, r);
+      gs_best_free (&here);
+      if (last)
+        break;
+    }
+  if (! told)
+    r->nends = before;
+  return w->room.full || ! gs_is_end (best);
+}
