@@ -59,7 +59,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
     = { { "run", do_run }, { "prepare", do_prepare }, { "ensemble", do_ensemble },
         { "job", do_job }, { "start", do_start }, { "settle", do_settle },
         { "residuals", do_residuals }, { "worst", do_worst },
-        { "wrong mode", do_wrong_mode }, { "passed margins", do_passed_margins },
+        { "passed margins", do_passed_margins },
         { "statistics", do_statistics },
         { "forward", do_forward },
         { "backward", do_backward },
@@ -70,7 +70,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "energies", do_energies },
         { "ipopt", do_ipopt }, { "program", do_program },
         { "collocate", do_collocate }, { "par", do_par }, { "pre", do_pre },
-        { "chk", do_chk }, { "ini", do_ini }, { "failure", do_failure },
+        { "chk", do_chk }, { "ini", do_ini },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
         { "solve", do_solve }, { "interrupt", do_interrupt }, { "guarded", do_guarded },
         { "calls", do_calls } };

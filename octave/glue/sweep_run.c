@@ -2,7 +2,6 @@
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
 #include "host/ensemble/ensemble.h"
-#include "host/failure.h"
 #include "gsmbp_scene.h"
 
 #include <math.h>
@@ -308,44 +307,6 @@ fill (const gs_view *w, int ok, double reached_time, double *row)
       row[at++] = value_at (w, s->number[k], i);
 }
 
-/* which mode contradicts the state, the last one of the run */
-static void
-wrong_mode (const gs_view *w, char *why)
-{
-  const gs_integration *r = &w->m->run;
-  const gs_events a = gs_planned_events (S->nx, w->e->run.ip, w->e->run.rp);
-  const gs_start_given g = { .t = r->t0, .cst = r->cst, .modes = a.given ? a.mode : NULL };
-  const int said = snprintf (why, GS_WHY, "modes: ");
-  gs_wrong_mode (w->e->about, &g, r->xout + r->ldx * r->istat[GS_N_OUTPUTS],
-                 r->istat[GS_CAUSE] - 1, why + said, GS_WHY - said);
-}
-
-/* why a run ended */
-static void
-failure (const gs_view *w, char *why)
-{
-  const gs_member *m = w->m;
-  const int *istat = m->run.istat;
-  const gs_failed_run run = { S->about, m->info, istat, m->run.rstat[GS_T_REACHED], m->text };
-  if (m->info == GS_ROUTINE_FAILED && istat[GS_FAILED] == GS_AT_EVENT
-      && istat[GS_FAILED_INFO] == GS_WRONG_MODE)
-    wrong_mode (w, why);
-  else
-    gs_failure (&run, why, GS_WHY);
-}
-
-/* why one was not begun */
-static void
-no_constants (const gs_member *m, char *why)
-{
-  int istat[GS_COUNTED] = { 0 };
-  istat[GS_FAILED] = GS_AT_PRE;
-  istat[GS_FAILED_INFO] = m->pre;
-  const gs_failed_run failed = { .d = S->about, .istat = istat };
-  const int said = snprintf (why, GS_WHY, "its parameters cannot be: ");
-  gs_cause (&failed, why + said, GS_WHY - said);
-}
-
 /* ---- rows of a table, which threads fill */
 
 typedef struct
@@ -364,8 +325,7 @@ take_run (void *to, const gs_ensemble *e, gs_member *m)
   char *why = f->why[m->row];
   double *row = f->rows + s->columns * m->row;
   gs_view w = { .s = s, .e = e, .m = m, .reached = m->begun ? m->run.istat[GS_N_OUTPUTS] : 0 };
-  const int ended = m->info == GS_ENDED, never = m->broken || m->pre != 0;
-  const int ok = ! never && (m->info == GS_DONE || ended);
+  const int ended = m->info == GS_ENDED, ok = gs_member_is_done (m);
   if (ended)
     w.reached = s->tout.n;
   w.y = calloc ((size_t) (S->ny * s->tout.n) + 1, sizeof (double));
@@ -374,16 +334,9 @@ take_run (void *to, const gs_ensemble *e, gs_member *m)
       f->no_memory = 1;
       return;
     }
-  why[0] = 0;
-  if (m->broken)
-    snprintf (why, GS_WHY, "%s", m->broken);
-  else if (m->pre != 0)
-    no_constants (m, why);
-  else if (! ok)
-    failure (&w, why);
+  gs_member_failure (e, m, why, GS_WHY);
   find_outputs (&w);
-  fill (&w, ok, never ? s->t0 : ok && ! ended ? s->tout.x[s->tout.n - 1]
-                                              : m->run.rstat[GS_T_REACHED], row);
+  fill (&w, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : m->run.rstat[GS_T_REACHED], row);
   free (w.y);
 }
 

@@ -88,7 +88,7 @@ class Results(_Structure):
 
     _fields_ = [(name, _AT) for name in (
         'x', 'v', 'y', 'counts', 'values', 'info', 'counted', 'margins', 'events', 'nevents',
-        'said')] + [('no_memory', _INT), ('in_lanes', _INT)]
+        'reason')] + [('no_memory', _INT), ('in_lanes', _INT)]
 
 
 class Taken(_Structure):

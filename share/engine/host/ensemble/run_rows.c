@@ -48,6 +48,8 @@ gs_most_pending (const gs_description *d, const double *given, const gs_rows *ro
     par[k] = (gs_real)given[k];
   for (int k = 0; par && seconds && k < rows->n; k++)
     {
+      if (rows->broken && rows->broken[k])
+        continue;
       const int own = pending_of_row (d, rows, k, par, par + d->npar, par + d->npar + d->ncst,
                                       seconds);
       most = own > most ? own : most;
