@@ -108,7 +108,7 @@ struct ensemble_results
         margins(S.nsm + k, i) = HUGE_VAL;
     all = { x.fortran_vec (), v.fortran_vec (), y.fortran_vec (), counts.fortran_vec (),
             values.fortran_vec (), info.fortran_vec (), counted.fortran_vec (),
-            margins.fortran_vec (), events.data (), many.data (), reason.data (), 0, 0 };
+            margins.fortran_vec (), events.data (), many.data (), reason.data (), 0 };
   }
   ~ensemble_results (void)
   {
@@ -177,7 +177,7 @@ do_ensemble (arguments& a, int)
   if (found.info == GS_OUT_OF_MEMORY)
     throw std::bad_alloc ();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took.count (), r.all.in_lanes == 1,
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took.count (), found.in_lanes == 1,
               r.all_events (), r.counted, r.reasons (), r.margins);
 }
 

@@ -88,7 +88,7 @@ class Results(_Structure):
 
     _fields_ = [(name, _AT) for name in (
         'x', 'v', 'y', 'counts', 'values', 'info', 'counted', 'margins', 'events', 'nevents',
-        'reason')] + [('no_memory', _INT), ('in_lanes', _INT)]
+        'reason')] + [('no_memory', _INT)]
 
 
 class Taken(_Structure):
@@ -107,8 +107,8 @@ class Result(_Structure):
                 ('start', Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
-                ('loop_method', _INT), ('dv', _AT), ('dy', _AT), ('istat', _INT * len(COUNTS)),
-                ('rstat', _REAL * len(VALUES)),
+                ('loop_method', _INT), ('in_lanes', _INT), ('dv', _AT), ('dy', _AT),
+                ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
                 *((name, _AT) for name in ('ip', 'rp', 'derivatives', 'room'))]
 
     def pointer(self, name):

@@ -144,7 +144,6 @@ typedef struct
   char **reason;            /* n: why a run failed; null before, and of one that is done; else of
                                malloc */
   int no_memory;            /* 0 before; 1: something is missing */
-  int in_lanes;             /* of gs_run_rows: 1: they were in lanes */
 } gs_results;
 
 /* a gs_take_member whose argument is a gs_results */

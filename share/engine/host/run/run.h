@@ -101,6 +101,7 @@ typedef struct
   gs_real *y;           /* (ny,nt): outputs, NaN where there are none */
   gs_real *cst;         /* ncst: with the parameters of the run, */
   int loop_method;      /* of which the way of the loops needs this one to be so */
+  int in_lanes;         /* of many runs: 1: they were in lanes */
   double *dv, *dy;      /* (nv,ncolumns,nt), (ny,ncolumns,nt): derivatives of inputs and outputs,
                            NaN where there are none; a null pointer without columns */
   int istat[GS_COUNTED];
