@@ -19,7 +19,6 @@ do_job (arguments& a, int)
   const std::unique_ptr<gs_whole_run, void (*) (gs_whole_run *)> forgotten (&w, gs_forget_run);
   if (gs_prepare_run (&w))
     error ("%s.job: %s", S.name, r.text);
-  const gs_implicit implicit = gs_prepared_implicit (&w);
   octave_scalar_map m;
   Matrix sizes (4, 1);
   sizes(0) = r.nx;
@@ -33,9 +32,6 @@ do_job (arguments& a, int)
   m.assign ("ropt", result (w.ropt, 3));
   m.assign ("atol", result (r.atol, r.nx));
   m.assign ("guess", result (w.w, S.nu));
-  m.assign ("order", implicit.order);
-  m.assign ("index2", implicit.index2);
-  m.assign ("follows", result (implicit.follows, implicit.followed));
   m.assign ("ip", result (r.ip, gs_wholes (&w.plan)));
   m.assign ("rp", result (r.rp, gs_reals (&w.plan)));
   m.assign ("iopt", result (w.iopt, GS_ON_SPEEDS + 1 + w.iopt[GS_ON_SPEEDS]));
