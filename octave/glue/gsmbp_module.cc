@@ -65,7 +65,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "backward", do_backward },
         { "linear", do_linear }, { "trim", do_trim },
         { "tangent", do_tangent }, { "modes", do_modes },
-        { "choose", do_choose }, { "free", do_free },
+        { "axes", do_axes }, { "choose", do_choose }, { "free", do_free },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
         { "ipopt", do_ipopt }, { "program", do_program },
