@@ -80,14 +80,19 @@ gs_reach_axes (int n, const double *given, int k, double *axes, char *why, int s
   return 1;
 }
 
-/* an angle by whole turns as close to that before as the limits allow */
+/* an angle by whole turns as close to that before as the limits allow; on a limit that is passed by
+ * rounding alone */
 static double
 turned (const gs_reach_choice *c, int k, double q)
 {
   const double low = c->limits[k], high = c->limits[c->nq + k];
-  q -= whole_turn * round ((q - c->before[k]) / whole_turn);
-  q += whole_turn * ceil (fmax (low - q - rounding, 0) / whole_turn);
-  return q - whole_turn * ceil (fmax (q - high - rounding, 0) / whole_turn);
+  if (c->turns[k])
+    {
+      q -= whole_turn * round ((q - c->before[k]) / whole_turn);
+      q += whole_turn * ceil (fmax (low - q - rounding, 0) / whole_turn);
+      q -= whole_turn * ceil (fmax (q - high - rounding, 0) / whole_turn);
+    }
+  return q < low && q >= low - rounding ? low : q > high && q <= high + rounding ? high : q;
 }
 
 int
@@ -102,8 +107,7 @@ gs_reach_choose (const gs_reach_choice *c, int n, double *q, const int *branches
       for (int k = 0; k < c->nq; k++)
         {
           double *one = q + k + (size_t)c->nq * (size_t)i;
-          if (c->turns[k])
-            *one = turned (c, k, *one);
+          *one = turned (c, k, *one);
           within &= *one >= c->limits[k] && *one <= c->limits[c->nq + k];
           sum += (*one - c->before[k]) * (*one - c->before[k]);
         }

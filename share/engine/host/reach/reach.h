@@ -22,7 +22,8 @@ typedef struct
 } gs_reach_choice;
 
 /* Of the n solutions q (nq,n), whose angles become those closest to the ones before that the limits
- * allow: which one is within the limits and closest to that before, counted from 0; -1: none.
+ * allow, on a limit that is passed by 1e-12 at most: which one is within the limits and closest to
+ * that before, counted from 0; -1: none.
  * branches (n): of each; branch: the one that is wanted, 0: any. */
 int gs_reach_choose (const gs_reach_choice *c, int n, double *q, const int *branches, int branch);
 
