@@ -12,12 +12,19 @@ gs_derivatives_lost (const gs_derivatives *d, int k, int *event, double *time)
 const char *
 gs_derivatives_why (int why)
 {
-  static const char *const texts[]
-    = { "", "the motion only grazes there",
-        "another event at the same instant would come at another time",
-        "the equations there have no derivatives",
-        "what it resets is moved onto the constraints of a loop, which leave a choice" };
-  return why >= 0 && why <= GS_CHOICE ? texts[why] : "";
+  switch (why)
+    {
+    case GS_GRAZES:
+      return "the motion only grazes there";
+    case GS_SEVERAL:
+      return "another event at the same instant would come at another time";
+    case GS_UNDEFINED:
+      return "the equations there have no derivatives";
+    case GS_CHOICE:
+      return "what it resets is moved onto the constraints of a loop, which leave a choice";
+    default:
+      return "";
+    }
 }
 
 int
