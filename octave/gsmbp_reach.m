@@ -80,7 +80,7 @@ function [q, info] = gsmbp_reach (m, name, P, R = [], varargin)
                                          "method", "auto", {"auto", "closed", "newton"}; ...
                                          "given", [], "numbers"; "time", 0, "number"}, varargin);
   turned = ! isempty (R);
-  [P, R] = gs.plan.given_poses (who, P, R);
+  [P, R] = gs.plan.given_poses (who, m, P, R);
   job = gs.plan.reach_job (who, m, name, columns (P), turned, options);
   k = columns (P);
   q = NaN (m.sizes.nq, k);

@@ -302,10 +302,6 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   gs.given.refuse_words (who, "x0", x0, "times", times);
   o = gs.given.call_options (who, gs.run.option_table (), varargin);
   p = gs.run.plan_run (who, m, x0, times, o);
-  if (! isempty (p.carried.names) && any (strcmp ({m.events.kind}, "stop")))
-    first = gs.run.prepare_run (who, p);
-    gs.start.starts_on_stops (who, p, first.x);
-  endif
   found = m.module ("run", m.cst, p.given);
   gs.run.refuse_run (who, m, found);
   if (isfield (m.par, "loop_method") && m.par.loop_method != found.loop_method)
@@ -313,7 +309,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   result = result_of (who, m, o, found, varargin);
   if (! isempty (p.carried.names))
-    result = with_derivatives (m, x0, p, found, result, varargin);
+    result = gs.linear.run_derivatives (m, result, p.carried.names, found);
   endif
   tell_warnings (who, m, result, found);
   info = found.info;
@@ -364,18 +360,6 @@ function result = result_of (who, m, o, found, options)
   result = gs.model.named_results (m, result);
 endfunction
 
-## ... with the derivatives that the run P has carried
-function result = with_derivatives (m, x0, p, found, result, options)
-  lost = found.lost;
-  if (! isempty (found.turns))
-    alone = @(t) states_alone (m, x0, t, options);
-    lost = gs.events.grazing_events (m, result, lost, found.turns, alone, found.atol);
-  endif
-  S = found.x(m.sizes.nx+1:end,1:found.rows);
-  result = gs.linear.run_derivatives (m, result, p.carried, S, lost, found.held, found.dv, ...
-                                      found.moved);
-endfunction
-
 function tell_warnings (who, m, result, found)
   listed = 0;
   if (! isempty (m.events))
@@ -388,16 +372,6 @@ function tell_warnings (who, m, result, found)
                   "v", result.v(end,:));
     gs.events.sharp_friction (who, m, gs.events.sharp_ports (m, run), 1);
   endif
-endfunction
-
-## the same run without derivatives, at other times
-function r = states_alone (m, x0, times, options)
-  drop = find (ismember (options(1:2:end), {"sensitivity", "dx0", "fixed", "timeout"}));
-  options([2*drop-1, 2*drop]) = [];
-  for id = {"stiff", "singular", "margin", "angles", "tolerance", "events"}
-    warning ("off", ["gsmbp:" id{1}], "local");
-  endfor
-  r = gsmbp_simulate (m, x0, times, options{:});
 endfunction
 
 ## where a run ended before its time

@@ -27,6 +27,19 @@ public:
     return m_texts.back ().empty () ? nullptr : m_texts.back ().c_str ();
   }
 
+  // a cell of them, as long as this is there
+  std::vector<const char *> texts (const char *name)
+  {
+    const Cell given = value (name).cell_value ();
+    std::vector<const char *> all;
+    for (octave_idx_type k = 0; k < given.numel (); k++)
+      {
+        m_texts.push_back (given(k).string_value ());
+        all.push_back (m_texts.back ().c_str ());
+      }
+    return all;
+  }
+
   // SIZE numbers
   const number *numbers (const char *name, int size)
   {
@@ -115,6 +128,7 @@ private:
   const reals m_cst;
   fields m_given;
   octave_inputs m_inputs;
+  std::vector<const char *> m_names;   // of the columns
 };
 
 asked_run::asked_run (arguments& a)
@@ -164,6 +178,8 @@ asked_run::read_columns (void)
   for (int k = 0; k < o.ncolumns; k++)
     if (o.columns[k] < 0 || o.columns[k] > S.nsp)
       error ("%s: there is no column %d among %d", S.name, o.columns[k], S.nsp);
+  m_names = m_given.texts ("names");
+  o.names = m_names.data ();
   o.sizes = m_given.doubles ("sizes", o.ncolumns);
   o.dx0 = m_given.numbers ("dx0", S.nx * o.ncolumns);
   o.fixed = m_given.wholes ("fixed", S.nq);

@@ -34,12 +34,14 @@ struct varied_parameters
   }
 };
 
-// ... and starts and inputs; no rows: as in the run of the beginning
+// ... and starts and inputs; no rows: as in the run of the beginning; why runs are not begun
 struct ensemble_rows
 {
   int n;
   varied_parameters varied;
   reals starts, inputs;
+  std::vector<std::string> texts;
+  std::vector<const char *> broken;
 
   ensemble_rows (arguments& a)
     : n (a.integer_within ("runs", 1, 2000000000)), varied (a),
@@ -47,6 +49,7 @@ struct ensemble_rows
   {
     if (varied.n > 0 && varied.n != n)
       error ("%s: argument table: expected %d rows, found %d", a.who ().c_str (), n, varied.n);
+    read_broken (a.value ("broken").cell_value ());
   }
 
   gs_rows rows (void) const
@@ -55,10 +58,23 @@ struct ensemble_rows
     r.n = n;
     r.starts = { starts.empty () ? nullptr : starts.data (), 1, n };
     r.inputs = { inputs.empty () ? nullptr : inputs.data (), 1, n };
+    r.broken = broken.empty () ? nullptr : broken.data ();
     return r;
   }
 
 private:
+
+  // a text for each run, "": none; {}: no run has one
+  void read_broken (const Cell& given)
+  {
+    if (given.numel () != 0 && given.numel () != n)
+      error ("%s.ensemble: argument broken: expected %d texts, found %d", S.name, n,
+             int (given.numel ()));
+    for (octave_idx_type i = 0; i < given.numel (); i++)
+      texts.push_back (given(i).string_value ());
+    for (const std::string& text : texts)
+      broken.push_back (text.empty () ? nullptr : text.c_str ());
+  }
 
   reals columns_of (arguments& a, int many, const char *name) const
   {
@@ -76,7 +92,7 @@ struct ensemble_results
   const int n;
   NDArray x, v, y;
   Matrix counts, values, info, counted, margins;
-  std::vector<char *> said;      // of refused starts, by implicit methods that failed
+  std::vector<char *> reason;    // why runs failed
   std::vector<double *> events;  // of each run time, number, mode after it, one by one
   std::vector<int> many;
   gs_results all;
@@ -85,30 +101,28 @@ struct ensemble_results
     : n (runs), x (dim_vector (nt, S.nx, n), no_number), v (dim_vector (nt, S.nv, n), no_number),
       y (dim_vector (nt, S.ny, n), no_number), counts (GS_COUNTED, n, 0.0),
       values (GS_MEASURED, n, 0.0), info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
-      margins (2 * S.nsm, n, 0.0), said (n), events (n), many (n)
+      margins (2 * S.nsm, n, 0.0), reason (n), events (n), many (n)
   {
     for (int i = 0; i < n; i++)
       for (int k = 0; k < S.nsm; k++)
         margins(S.nsm + k, i) = HUGE_VAL;
     all = { x.fortran_vec (), v.fortran_vec (), y.fortran_vec (), counts.fortran_vec (),
             values.fortran_vec (), info.fortran_vec (), counted.fortran_vec (),
-            margins.fortran_vec (), events.data (), many.data (), said.data (), 0, 0 };
+            margins.fortran_vec (), events.data (), many.data (), reason.data (), 0 };
   }
   ~ensemble_results (void)
   {
-    std::for_each (said.begin (), said.end (), std::free);
+    std::for_each (reason.begin (), reason.end (), std::free);
     std::for_each (events.begin (), events.end (), std::free);
   }
   ensemble_results (const ensemble_results&) = delete;
 
-  // a column of texts, {} if there is none
-  Cell all_said (void) const
+  Cell reasons (void) const
   {
-    if (std::none_of (said.begin (), said.end (), [] (const char *s) { return s; }))
-      return Cell ();
-    Cell texts (n, 1);
+    Cell texts (n, 1, octave_value (""));
     for (int i = 0; i < n; i++)
-      texts(i) = said[i] ? said[i] : "";
+      if (reason[i])
+        texts(i) = reason[i];
     return texts;
   }
 
@@ -133,11 +147,11 @@ gsmbp_runs_done (void *, int done)
   the_patience->reached (done);
 }
 
-// (those of a run, number of runs, numbers of the parameters, table, starts, inputs, threads,
-// lanes): states, inputs, outputs (a row for each time, a page for each run), statistics, INFO of
-// the run and of PRE, seconds, whether in lanes, events, how many of each function there were and
-// when, what methods said that failed (a column of runs, {} if none), which margins of devices were
-// passed, their least values
+// (those of a run, number of runs, numbers of the parameters, table, starts, inputs, why runs are
+// not begun, threads, lanes): states, inputs, outputs (a row for each time, a page for each run),
+// statistics, INFO of the run and of PRE, seconds, whether in lanes, events, how many of each
+// function there were and when, why runs failed (a column, "" of those that did not), which margins
+// of devices were passed, their least values
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
@@ -163,8 +177,8 @@ do_ensemble (arguments& a, int)
   if (found.info == GS_OUT_OF_MEMORY)
     throw std::bad_alloc ();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took.count (), r.all.in_lanes == 1,
-              r.all_events (), r.counted, r.all_said (), r.margins);
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took.count (), found.in_lanes == 1,
+              r.all_events (), r.counted, r.reasons (), r.margins);
 }
 
 // (counts, values of runs as do_ensemble has them, a column each): a struct of rows

@@ -243,23 +243,6 @@ meaning (const std::string& call, int info)
                : "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
 }
 
-// (INFO of a run, its statistics, what its method said): why it ended
-static octave_value_list
-do_failure (arguments& a, int)
-{
-  const int info = a.integers ("info", 1)[0];
-  const octave_scalar_map stats = a.value ("statistics").scalar_map_value ();
-  int istat[GS_COUNTED];
-#define GS_FROM_FIELD(k, name) istat[k] = stats.contents (#name).int_value ();
-  GS_COUNTS (GS_FROM_FIELD)
-  const std::string said = a.value ("said").string_value ();
-  const gs_failed_run run = { S.about, info, istat, stats.contents ("reached").double_value (),
-                              said.c_str () };
-  char text[2500];   // the message of a refused start fits (gs_start)
-  gs_failure (&run, text, sizeof text);
-  return ovl (std::string (text));
-}
-
 static octave_value_list
 do_meaning (arguments& a, int)
 {

@@ -5,6 +5,23 @@
 #include "numbers.h"
 #include "host/reach/reach.h"
 
+// (Euler parameters or matrices, a column for each pose): rotation matrices, a column for each
+static octave_value_list
+do_axes (arguments& a, int)
+{
+  const Matrix given = a.matrix ("axes", -1, -1);
+  const int n = int (given.rows ());
+  Matrix axes (9, given.columns ());
+  char why[200];
+  if (n != 4 && n != 9)
+    error ("%s: argument axes: expected 4 or 9 rows, found %d", a.who ().c_str (), n);
+  for (octave_idx_type k = 0; k < given.columns (); k++)
+    if (! gs_reach_axes (n, given.data () + n * k, int (k + 1), axes.fortran_vec () + 9 * k, why,
+                         sizeof why))
+      error ("gsmbp_reach: %s", why);
+  return ovl (axes);
+}
+
 // (solutions, the coordinates before, which may turn, their limits, branches of the solutions, the
 // wanted one): the solution that is taken, its number, 0: none
 static octave_value_list

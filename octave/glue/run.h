@@ -90,35 +90,33 @@ put_records (octave_scalar_map& m, const found_run& r)
 static Matrix
 matrix_of (const double *from, int rows, int n)
 {
-  if (n < 0)
-    throw std::bad_alloc ();
   Matrix m (rows, n);
   std::copy_n (from, m.numel (), m.fortran_vec ());
   return m;
 }
 
-// of each column of derivatives why it was given up, at which event and when; event functions that
-// came close to 0 and turned, number and time; derivatives of held inputs, from which time on and
-// inputs by columns; of inputs that follow plan, feedback or a function; of the times of the events
+// of each column of derivatives why it was given up, in words, too, at which event and when;
+// derivatives of inputs and outputs, a column for each row; of the times of the events
 static void
 put_derivatives (octave_scalar_map& m, const found_run& r, int columns)
 {
   const gs_derivatives *d = r.derivatives;
   Matrix lost (columns, 3);
-  const double *turns = nullptr, *held = nullptr, *moved = nullptr;
+  Cell why (columns, 1);
+  const double *moved = nullptr;
   for (int k = 0; k < columns; k++)
     {
       int event = 0;
       lost(k, 0) = gs_derivatives_lost (d, k, &event, &lost(k, 2));
       lost(k, 1) = event;
+      why(k) = gs_derivatives_why (int (lost(k, 0)));
     }
-  const int n = gs_derivatives_turns (d, &turns), h = gs_derivatives_held (d, &held),
-            e = gs_derivatives_of_events (d, &moved);
+  const int n = gs_derivatives_of_events (d, &moved);
   m.assign ("lost", lost);
-  m.assign ("turns", matrix_of (turns, 2, n));
-  m.assign ("held", matrix_of (held, 1 + S.nv * columns, h));
-  m.assign ("moved", matrix_of (moved, columns, e));
-  m.assign ("dv", matrix_of (r.dv, S.nv * columns, r.dv ? r.rows : 0));
+  m.assign ("why", why);
+  m.assign ("moved", matrix_of (moved, columns, n));
+  m.assign ("dv", matrix_of (r.dv, S.nv * columns, r.rows));
+  m.assign ("dy", matrix_of (r.dy, S.ny * columns, r.rows));
 }
 
 static void

@@ -98,19 +98,6 @@ do_worst (arguments& a, int)
   return ovl (text);
 }
 
-// (those of asked_start, modes, event): why its mode contradicts the state
-static octave_value_list
-do_wrong_mode (arguments& a, int)
-{
-  asked_start s (a);
-  const std::vector<int> modes = a.integers ("modes", S.nev);
-  s.given.modes = modes.data ();
-  char text[600];
-  gs_wrong_mode (&s.about, &s.given, &s.x[0], a.integer_within ("event", 1, S.nev) - 1, text,
-                 sizeof text);
-  return ovl (text);
-}
-
 // (constants, number of times, times, states, inputs, parameters, nominal magnitudes): the margins
 // of devices that are passed: their numbers, the numbers of the first times, the least values, the
 // messages

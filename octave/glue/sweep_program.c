@@ -73,9 +73,10 @@ run_chunk (const gs_sweep *s, const char *folder, int threads, long long first, 
   char why[GS_WHY] = "";
   w.c.values = calloc ((size_t) (n * s->columns), sizeof (double));
   w.why = calloc ((size_t) n, GS_WHY);
-  if (! w.c.values || ! w.why
-      || gs_sweep_rows (s, first, (int) n, threads, w.c.values, w.why) != 0)
+  if (! w.c.values || ! w.why)
     stop ("no memory");
+  if (gs_sweep_rows (s, first, (int) n, threads, w.c.values, w.why, why) != 0)
+    stop (why);
   told (&w);
   if (gs_write_chunk (folder, &w.c, why) != 0)
     stop (why);
@@ -129,7 +130,7 @@ open_dealer (dealer *d, const gs_sweep *s, const char *folder, int workers)
 {
   char **names, why[GS_WHY] = "", path[PATH_MAX];
   int count;
-  long long nt = s->tout.n > 0 ? s->tout.n : 1, room = (long long) 4e6 / (s->columns * nt);
+  long long room = (long long) 4e6 / (s->columns * s->start.nt);
   *d = (dealer){ .runs = s->runs, .left = s->runs, .workers = workers, .most = room };
   d->most = d->most < 1 ? 1 : d->most > 16384 ? 16384 : d->most;
   d->have = calloc ((size_t) s->runs + 1, 1);

@@ -1,9 +1,6 @@
 /* The runs of a sweep without Octave; sweep_run.h says what it is. */
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
-#include "host/ensemble/ensemble.h"
-#include "host/failure.h"
-#include "gsmbp_scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,11 +9,14 @@
 
 static const gsmbp_scene *const S = &gsmbp_the_scene;
 
+/* a null pointer where there are none */
 static gs_array
 numbers (const gs_job *job, const char *name)
 {
   gs_array a;
   a.x = gs_numbers (job, name, &a.n);
+  if (a.n == 0)
+    a.x = NULL;
   return a;
 }
 
@@ -28,22 +28,6 @@ wholes (const gs_job *job, const char *name, long long *count)
   for (long long i = 0; k && i < *count; i++)
     k[i] = (int) x[i];
   return k;
-}
-
-static int
-find_method (gs_sweep *s, char *why)
-{
-  long long n;
-  const char *method = gs_text (s->job, "library", &n);
-  s->implicit_method = gs_method_named (method);
-#if defined (GS_CVODE)
-  if (strcmp (method, "cvode") == 0)
-    s->implicit_method = gs_cvode;
-#endif
-  if (n == 0 || s->implicit_method)
-    return 0;
-  snprintf (why, GS_WHY, "this program was built without the method %s", method);
-  return 1;
 }
 
 /* lines RUN<tab>REASON of runs whose parameters break a rule of the scene */
@@ -80,46 +64,83 @@ read_kept (gs_sweep *s)
       s->wholes += s->way[k] == GS_WHOLE;
       s->kept += s->way[k] != GS_WHOLE;
     }
-  s->columns = 2 + s->kept + s->wholes * s->tout.n;
+  s->columns = 2 + s->kept + s->wholes * s->start.nt;
   return n != m || n != l;
 }
 
 static void
-read_numbers (gs_sweep *s)
+read_options (gs_sweep *s)
 {
   const gs_job *job = s->job;
+  gs_run_options *o = &s->options;
   long long n;
-  s->cst = numbers (job, "cst");
-  s->x0 = numbers (job, "x0");
-  s->tout = numbers (job, "tout");
-  s->tbrk = numbers (job, "tbrk");
-  s->ropt = numbers (job, "ropt");
-  s->atol = numbers (job, "atol");
-  s->rp = numbers (job, "rp");
-  s->guess = numbers (job, "guess");
-  s->par = numbers (job, "par");
-  s->samples = numbers (job, "samples");
-  s->nominal = numbers (job, "nominal");
-  s->groups = numbers (job, "groups");
-  s->ip = wholes (job, "ip", &s->nip);
-  s->iopt = wholes (job, "iopt", &s->niopt);
-  s->follows = wholes (job, "follows", &s->followed);
-  s->which = wholes (job, "which", &s->varied);
-  s->runs = s->varied > 0 ? s->samples.n / s->varied : 0;
-  int *sizes = wholes (job, "sizes", &n);
-  if (n == 4)
-    {
-      s->nx = sizes[0];
-      s->ldx = sizes[1];
-      s->ldv = sizes[2];
-      s->lw = sizes[3];
-    }
-  free (sizes);
-  s->order = (int) gs_number (job, "order", 5);
-  s->index2 = (int) gs_number (job, "index2", 0);
-  s->check_start = (int) gs_number (job, "check_start", 1);
-  s->lanes = (int) gs_number (job, "lanes", 0);
-  s->t0 = gs_number (job, "t0", 0);
+  *o = gs_default_options ();
+  o->method = gs_text (job, "method", &n);
+  o->loops = gs_text (job, "loops", &n);
+  o->loops = n > 0 ? o->loops : NULL;
+  o->step = gs_number (job, "step", NAN);
+  o->rtol = gs_number (job, "rtol", NAN);
+  o->atol = numbers (job, "atol").x;
+  o->maxstep = gs_number (job, "maxstep", 0);
+  o->maxsteps = gs_number (job, "maxsteps", 0);
+  o->maxorder = gs_number (job, "maxorder", NAN);
+  o->drift = (int) gs_number (job, "drift", -1);
+  o->project = (int) gs_number (job, "project", 0);
+#if defined (GS_CVODE)
+  o->cvode = gs_cvode;
+#endif
+}
+
+static gs_pieces
+pieces (const gs_job *job, const char *name)
+{
+  const gs_array a = numbers (job, name);
+  if (a.n < 3)
+    return (gs_pieces){ 0 };
+  return (gs_pieces){ (int) a.x[0], (int) a.x[1], (int) a.x[2], a.x + 3 };
+}
+
+/* whole numbers, a null pointer where there are none */
+static int *
+some_wholes (const gs_job *job, const char *name)
+{
+  long long n;
+  gs_numbers (job, name, &n);
+  return n > 0 ? wholes (job, name, &n) : NULL;
+}
+
+static void
+read_inputs (gs_sweep *s)
+{
+  const gs_job *job = s->job;
+  const gs_array breaks = numbers (job, "breaks");
+  s->planned = some_wholes (job, "planned");
+  s->inputs = (gs_run_inputs){
+    .kind = (int) gs_number (job, "kind", 0), .constants = numbers (job, "constants").x,
+    .table = pieces (job, "table"), .motion = pieces (job, "motion"), .planned = s->planned,
+    .reference = pieces (job, "reference"), .gain = pieces (job, "gain"),
+    .limits = numbers (job, "limits").x, .nbreaks = (int) breaks.n, .breaks = breaks.x
+  };
+}
+
+/* 0, or the job has not all of it */
+static int
+read_start (gs_sweep *s)
+{
+  const gs_job *job = s->job;
+  const gs_array times = numbers (job, "tout"), x0 = numbers (job, "x0"),
+                 par = numbers (job, "par"), cst = numbers (job, "cst"),
+                 nominal = numbers (job, "nominal");
+  s->modes = some_wholes (job, "modes");
+  s->start = (gs_run_start){ .nt = (int) times.n, .times = times.x, .x0 = x0.x, .par = par.x,
+                             .cst = cst.x, .modes = s->modes,
+                             .memory = numbers (job, "memory").x };
+  s->about = *S->about;
+  s->about.nominal = nominal.x;
+  gsmbp_lanes (&s->lanes);
+  s->about.lanes = gs_number (job, "lanes", 0) != 0 ? &s->lanes : NULL;
+  return times.n < 2 || x0.n != S->nx || par.n != S->npar || cst.n != S->ncst
+         || nominal.n != S->nx;
 }
 
 int
@@ -132,17 +153,21 @@ gs_open_sweep (gs_sweep *s, const gs_job *job, char *why)
   if (strcmp (symbol, S->symbol) != 0)
     return snprintf (why, GS_WHY, "the job is of another scene than the program: %s, not %s",
                      symbol, S->symbol), 1;
-  read_numbers (s);
-  if (read_kept (s) || s->nx != S->nx || s->par.n != S->npar || s->runs < 1
-      || s->nominal.n != S->nx || s->x0.n != S->nx || s->atol.n != S->nx || s->niopt < 6)
+  read_options (s);
+  read_inputs (s);
+  s->samples = numbers (job, "samples");
+  s->groups = numbers (job, "groups");
+  s->which = wholes (job, "which", &s->varied);
+  s->runs = s->varied > 0 ? s->samples.n / s->varied : 0;
+  if (read_start (s) || read_kept (s) || s->runs < 1)
     return snprintf (why, GS_WHY, "the job is not whole"), 1;
-  return find_method (s, why) || find_broken (s, why);
+  return find_broken (s, why);
 }
 
 void
 gs_close_sweep (gs_sweep *s)
 {
-  int *lists[] = { s->ip, s->iopt, s->follows, s->which, s->way, s->number, s->time };
+  int *lists[] = { s->modes, s->planned, s->which, s->way, s->number, s->time };
   for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
     free (lists[k]);
   free (s->broken);
@@ -172,7 +197,7 @@ column (const gs_view *w, long long k)
 static void
 find_outputs (gs_view *w)
 {
-  for (long long k = 0; k < w->s->tout.n; k++)
+  for (long long k = 0; k < w->s->start.nt; k++)
     {
       double *y = w->y + S->ny * k;
       for (int j = 0; j < S->ny; j++)
@@ -210,7 +235,7 @@ of_margins (const gs_view *w, int number)
       least[k] = HUGE_VAL;
     }
   for (long long k = 0; k < w->reached && ! fails; k++)
-    fails = gs_margins_at (d, w->s->tout.x[k], r->xout + r->ldx * column (w, k),
+    fails = gs_margins_at (d, w->s->start.times[k], r->xout + r->ldx * column (w, k),
                            r->vout + r->ldv * column (w, k), r->cst, passed, least) < 0;
   return fails ? NAN : least[number - 1];
 }
@@ -220,8 +245,8 @@ static double
 mean (const gs_view *w, int number, int power)
 {
   double sum = 0, before = 0;
-  const double *t = w->s->tout.x;
-  for (long long k = 0; k < w->s->tout.n; k++)
+  const double *t = w->s->start.times;
+  for (long long k = 0; k < w->s->start.nt; k++)
     {
       double z = value_at (w, number, k);
       z = power == 2 ? z * z : z;
@@ -229,7 +254,7 @@ mean (const gs_view *w, int number, int power)
         sum = sum + (t[k] - t[k - 1]) * (z + before);
       before = z;
     }
-  return sum / (2 * (t[w->s->tout.n - 1] - t[0]));
+  return sum / (2 * (t[w->s->start.nt - 1] - t[0]));
 }
 
 /* the largest of SIGN times the value, or of its modulus where SIGN is 0; numbers alone count */
@@ -237,7 +262,7 @@ static double
 largest (const gs_view *w, int number, int sign)
 {
   double most = NAN;
-  for (long long k = 0; k < w->s->tout.n; k++)
+  for (long long k = 0; k < w->s->start.nt; k++)
     {
       double z = value_at (w, number, k);
       z = sign == 0 ? fabs (z) : sign * z;
@@ -251,7 +276,7 @@ largest (const gs_view *w, int number, int sign)
 static double
 of_events (const gs_view *w, int way, int number)
 {
-  const gs_events a = gs_planned_events (w->s->nx, w->m->run.ip, w->m->run.rp);
+  const gs_events a = gs_planned_events (S->nx, w->m->run.ip, w->m->run.rp);
   int count = 0;
   double first = NAN, last = NAN;
   for (int k = 0; k < a.ne && w->m->begun; k++)
@@ -304,46 +329,8 @@ fill (const gs_view *w, int ok, double reached_time, double *row)
     if (s->way[k] != GS_WHOLE)
       row[at++] = ok ? kept (w, k) : NAN;
   for (long long k = 0; k < s->kept + s->wholes; k++)
-    for (long long i = 0; i < s->tout.n && s->way[k] == GS_WHOLE; i++)
+    for (long long i = 0; i < s->start.nt && s->way[k] == GS_WHOLE; i++)
       row[at++] = value_at (w, s->number[k], i);
-}
-
-/* which mode contradicts the state, the last one of the run */
-static void
-wrong_mode (const gs_view *w, char *why)
-{
-  const gs_integration *r = &w->m->run;
-  const gs_events a = gs_planned_events (S->nx, w->e->run.ip, w->e->run.rp);
-  const gs_start_given g = { .t = r->t0, .cst = r->cst, .modes = a.given ? a.mode : NULL };
-  const int said = snprintf (why, GS_WHY, "modes: ");
-  gs_wrong_mode (w->e->about, &g, r->xout + r->ldx * r->istat[GS_N_OUTPUTS],
-                 r->istat[GS_CAUSE] - 1, why + said, GS_WHY - said);
-}
-
-/* why a run ended */
-static void
-failure (const gs_view *w, char *why)
-{
-  const gs_member *m = w->m;
-  const int *istat = m->run.istat;
-  const gs_failed_run run = { S->about, m->info, istat, m->run.rstat[GS_T_REACHED], m->text };
-  if (m->info == GS_ROUTINE_FAILED && istat[GS_FAILED] == GS_AT_EVENT
-      && istat[GS_FAILED_INFO] == GS_WRONG_MODE)
-    wrong_mode (w, why);
-  else
-    gs_failure (&run, why, GS_WHY);
-}
-
-/* why one was not begun */
-static void
-no_constants (const gs_member *m, char *why)
-{
-  int istat[GS_COUNTED] = { 0 };
-  istat[GS_FAILED] = GS_AT_PRE;
-  istat[GS_FAILED_INFO] = m->pre;
-  const gs_failed_run failed = { .d = S->about, .istat = istat };
-  const int said = snprintf (why, GS_WHY, "its parameters cannot be: ");
-  gs_cause (&failed, why + said, GS_WHY - said);
 }
 
 /* ---- rows of a table, which threads fill */
@@ -364,64 +351,35 @@ take_run (void *to, const gs_ensemble *e, gs_member *m)
   char *why = f->why[m->row];
   double *row = f->rows + s->columns * m->row;
   gs_view w = { .s = s, .e = e, .m = m, .reached = m->begun ? m->run.istat[GS_N_OUTPUTS] : 0 };
-  const int ended = m->info == GS_ENDED, never = m->broken || m->pre != 0;
-  const int ok = ! never && (m->info == GS_DONE || ended);
+  const int ended = m->info == GS_ENDED, ok = gs_member_is_done (m);
   if (ended)
-    w.reached = s->tout.n;
-  w.y = calloc ((size_t) (S->ny * s->tout.n) + 1, sizeof (double));
+    w.reached = s->start.nt;
+  w.y = calloc ((size_t) (S->ny * s->start.nt) + 1, sizeof (double));
   if (! w.y)
     {
       f->no_memory = 1;
       return;
     }
-  why[0] = 0;
-  if (m->broken)
-    snprintf (why, GS_WHY, "%s", m->broken);
-  else if (m->pre != 0)
-    no_constants (m, why);
-  else if (! ok)
-    failure (&w, why);
+  gs_member_failure (e, m, why, GS_WHY);
   find_outputs (&w);
-  fill (&w, ok, never ? s->t0 : ok && ! ended ? s->tout.x[s->tout.n - 1]
-                                              : m->run.rstat[GS_T_REACHED], row);
+  fill (&w, ok, ok && ! ended ? s->start.times[s->start.nt - 1] : m->run.rstat[GS_T_REACHED], row);
   free (w.y);
-}
-
-/* what all runs have in common, as the job says it */
-static gs_ensemble
-ensemble_of (const gs_sweep *s)
-{
-  gs_ensemble e = {
-    .scene = S->run, .pre = gsmbp_constants, .npar = S->npar, .ncst = S->ncst, .fortran_inputs = 1,
-    .run = { .nx = s->nx, .t0 = s->t0, .x0 = s->x0.x, .nt = (int) s->tout.n, .tout = s->tout.x,
-             .nb = (int) s->tbrk.n, .tbrk = s->tbrk.x, .iopt = s->iopt, .ropt = s->ropt.x,
-             .atol = s->atol.x, .ip = s->ip, .rp = (double *) s->rp.x, .cst = s->cst.x,
-             .ldx = s->ldx, .ldv = s->ldv, .lw = s->lw },
-    .wholes = (size_t) s->nip, .reals = (size_t) s->rp.n, .guess = s->guess.x,
-    .check = s->check_start, .method = s->implicit_method
-  };
-  return e;
 }
 
 int
 gs_sweep_rows (const gs_sweep *s, long long first, int n, int threads, double *rows,
-               char (*why)[GS_WHY])
+               char (*why)[GS_WHY], char *refused)
 {
   gs_filled filled = { .s = s, .rows = rows, .why = why };
-  gs_description about = *S->about;
-  gs_lane_routines lanes;
-  const gs_implicit options = { .order = s->order, .index2 = s->index2,
-                                .followed = (int) s->followed, .follows = s->follows };
-  gs_ensemble e = ensemble_of (s);
-  about.nominal = s->nominal.x;
-  gsmbp_lanes (&lanes);
-  e.about = &about;
-  e.lanes = s->lanes ? &lanes : NULL;
-  e.implicit = &options;
   const gs_rows given = {
-    .n = n, .par = s->par.x, .varied = (int) s->varied, .which = s->which,
+    .n = n, .varied = (int) s->varied, .which = s->which,
     .table = { s->samples.x + s->varied * first, (ptrdiff_t) s->varied, 1 },
     .broken = s->broken + first
   };
-  return gs_run_ensemble (&e, &given, threads, take_run, &filled, NULL) || filled.no_memory;
+  gs_run_result found;
+  int failed = gs_take_rows (&s->about, &s->options, &s->start, &s->inputs, &given, threads,
+                             take_run, &filled, NULL, &found);
+  snprintf (refused, GS_WHY, "%s", found.refused ? found.text : "no memory");
+  gs_free_result (&found);
+  return failed || filled.no_memory;
 }

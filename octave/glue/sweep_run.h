@@ -1,9 +1,10 @@
-/* The runs of a sweep without Octave: the job's numbers, an ensemble of them (host/ensemble), what
-   is kept.  A run is a function of its number alone. */
+/* The runs of a sweep without Octave: what the job says of them, as the engine takes it, all
+   of them by gs_take_rows (host/ensemble), what is kept.  A run is a function of its number
+   alone. */
 #ifndef GSMBP_GLUE_SWEEP_RUN_H
 #define GSMBP_GLUE_SWEEP_RUN_H
 #include "gsmbp_scene.h"
-#include "host/implicit/implicit.h"
+#include "host/ensemble/run_rows.h"
 #include "sweep_files.h"
 
 enum { GS_FINAL = 1, GS_PEAK, GS_MAX, GS_MIN, GS_MEAN, GS_RMS, GS_AT, GS_WHOLE, GS_FIRST, GS_LAST,
@@ -18,14 +19,15 @@ typedef struct
 typedef struct
 {
   const gs_job *job;
-  gs_array cst, x0, tout, tbrk, ropt, atol, rp, guess, par, samples, nominal;
-  gs_array groups;                                /* of each event the first one with its name */
-  int *ip, *iopt, *follows, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
-  long long nip, niopt, followed, varied, runs, kept, wholes, columns;
-  int nx, ldx, ldv, lw, order, index2, check_start;
-  int lanes;                             /* 1: in lanes, where they can be */
-  double t0;
-  gs_implicit_method *implicit_method;   /* a null pointer: gs_integrate alone */
+  gs_description about;
+  gs_lane_routines lanes;
+  gs_run_options options;
+  gs_run_start start;
+  gs_run_inputs inputs;
+  gs_array samples;
+  gs_array groups;                       /* of each event the first one with its name */
+  int *modes, *planned, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
+  long long varied, runs, kept, wholes, columns;
   const char **broken;                   /* for each run: why its parameters cannot be, or null, */
   char *reasons;                         /* ... their texts */
 } gs_sweep;
@@ -35,7 +37,7 @@ int gs_open_sweep (gs_sweep *s, const gs_job *job, char *why);
 void gs_close_sweep (gs_sweep *s);
 
 /* N runs from run FIRST (from 0) on by so many threads, into ROWS (s->columns each); WHY: of each
-   "", or why it failed.  0, or there is no memory */
+   "", or why it failed.  0, or REFUSED says why none was made */
 int gs_sweep_rows (const gs_sweep *s, long long first, int n, int threads, double *rows,
-                   char (*why)[GS_WHY]);
+                   char (*why)[GS_WHY], char *refused);
 #endif

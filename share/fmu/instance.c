@@ -236,8 +236,9 @@ gsf_failed (gsf_instance *a, int status, int routine, int info)
   int istat[GS_COUNTED] = { 0 };
   istat[GS_FAILED] = routine;
   istat[GS_FAILED_INFO] = info;
-  gs_failure (&(gs_failed_run){ &a->about, GS_ROUTINE_FAILED, istat, *a->t, "" }, a->text,
-              sizeof a->text);
+  gs_failure (&(gs_failed_run){ .d = &a->about, .info = GS_ROUTINE_FAILED, .istat = istat,
+                                .t = *a->t },
+              a->text, sizeof a->text);
   return status;
 }
 

@@ -131,8 +131,9 @@ happened (gsf_instance *a, int k)
       istat[GS_FAILED] = GS_AT_EVENT;
       istat[GS_FAILED_INFO] = 10;
       istat[GS_CAUSE] = k + 1;
-      gs_failure (&(gs_failed_run){ &a->about, GS_ROUTINE_FAILED, istat, *a->t, "" }, a->text,
-                  sizeof a->text);
+      gs_failure (&(gs_failed_run){ .d = &a->about, .info = GS_ROUTINE_FAILED, .istat = istat,
+                                    .t = *a->t },
+                  a->text, sizeof a->text);
       return GSF_ERROR;
     }
   enters (a, k, a->g[k] > little (a, k) ? GSF_ARMED : rises (a, k) ? GSF_LEFT : GSF_BELOW);

@@ -27,7 +27,7 @@ function write_job (m, exact, run, file)
   if (strcmp (run.method, "dp853"))
     method = {"rtol", 1e-18, "atol", 1e-20 * m.nominal};
   end
-  job = m.module ("job", a{:}, [], []);
+  job = m.module ("job", a{:});
   first = m.module ("prepare", a{:});
   job.x0 = first.x;
   q = gsmbp_simulate (exact, job.x0, times, options{:}, method{:});

@@ -127,6 +127,10 @@ function block (m)
                  r.solved && abs (r.goal - 12) < 1e-9 && norm (r.v - (6 - 12*t), Inf) < 1e-7 ...
                  && norm (r.x(:,1) - (3*t.^2 - 2*t.^3), Inf) < 1e-9);
   end
+  held = gsmbp_collocate (m, [0 0], [1 0], "goal", "effort", "time", [0.1 0.8]).active;
+  a = held(strcmp ({held.name}, "time"));   # the goal is 12/T^3
+  gsmbp_check ("the largest time holds it back, by 36/T^4", strcmp (a.bound, "largest") ...
+               && a.value == 0.8 && abs (a.multiplier * 0.8 ^ 4 / 36 - 1) < 1e-6);
   inverse = gsmbp_inverse (m, r.motion, [0.1; 0.5; 0.83]);
   gsmbp_check ("gsmbp_inverse takes the motion, the inputs are those", ...
                norm (inverse.tau - ppval (r.input, [0.1; 0.5; 0.83])(:)) < 1e-8);

@@ -9,6 +9,7 @@ function test_many_failures ()
   reasons (m);
   singular ();
   loops (gsmbp_fixture ("driven_fourbar"));
+  devices (gsmbp_fixture ("trim_hydraulic"));
   programs (m);
 end
 
@@ -99,6 +100,25 @@ function loops (m)
                    strcmp (e.reason{2}, alone) && ! isempty (alone) && ! e.ok(2));
     end
   end
+end
+
+## a run that fails where a device is outside its margins, one alone, of many, by a program
+function devices (m)
+  warning ("off", "gsmbp:margin", "local");
+  folder = tempname ();
+  tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+  back = without_mpi ();
+  name = fieldnames (m.par){1};
+  vary = struct (name, m.par.(name) * [1, 1.001]);
+  o = {[0.3; 0; -1e6; 5e6], [0 1], "start", "project", "maxsteps", 1, "rtol", 1e-9, "atol", 1e-9};
+  alone = alone_says (gsmbp_set (m, name, vary.(name)(2)), o{:});
+  e = gsmbp_ensemble (m, o{:}, "parameters", vary);
+  p = gsmbp_sweep (m, o{:}, "vary", vary, "plan", "grid", "program", folder);
+  file = fullfile (folder, "sweep.h5");
+  system (sprintf ("cd / && %s -o %s >/dev/null 2>&1", p.program, file));
+  said = cellstr (load ("-hdf5", file).failed.reason);
+  gsmbp_check (["outside of its margins: " alone], any (strfind (alone, "outside a margin")) ...
+               && strcmp (e.reason{2}, alone) && strcmp (said{2}, alone));
 end
 
 ## the table of a program says what it knows of it, in the same words

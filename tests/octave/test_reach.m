@@ -275,6 +275,7 @@ function paths (m)
                strcmp (info.status, "limits") && all (isnan (r)));
   [r, info] = gsmbp_reach (m, "tool", P(:,1), R(:,:,1), "branch", 3);
   gsmbp_check ("a branch by its number", info.branch == 3 && norm (m.pnt (0, r) - P(:,1)) < 1e-13);
+  asked_for (m, q(:,1), P(:,1), R(:,:,1));
   [~, info] = gsmbp_reach (m, "tool", P(:,1), R(:,:,1));
   gsmbp_check ("all solutions of a pose", size (info.solutions{1}) == [6, 8]);
   q5 = [0.3; -0.5; 0.7; 0.4; 0; -0.2];
@@ -284,6 +285,21 @@ function paths (m)
   gsmbp_check ("singular wrist: what is free", ...
     abs (info.free) - [0; 0; 0; 1; 0; 1] / sqrt (2), 1e-8);
   gsmbp_check ("singular wrist: the pose is reached", m.pnt (0, r) - P5, 1e-13);
+end
+
+## axes by Euler parameters; a limit that is reached but for rounding
+function asked_for (m, q, P, R)
+  s = sqrt (1 + trace (R)) / 2;
+  e = [s; [R(3,2) - R(2,3); R(1,3) - R(3,1); R(2,1) - R(1,2)] / (4 * s)];
+  r = gsmbp_reach (m, "tool", P, 3 * e, "start", q);
+  gsmbp_check ("axes by Euler parameters", r - q, 1e-12);
+  for k = 1:2
+    lim = [-7, 7] .* ones (6, 1);
+    lim(2,k) = q(2) + (3 - 2 * k) * 1e-13;
+    [r, info] = gsmbp_reach (m, "tool", P, R, "start", q, "limits", lim);
+    gsmbp_check ("a limit that is passed by rounding", strcmp (info.status, "ok") ...
+                 && r(2) == lim(2,k) && norm (r - q) < 1e-12);
+  end
 end
 
 ## a frame of which the place alone is given: by Newton's method, whatever its axes are then

@@ -19,6 +19,17 @@ function test_sweep_program ()
     step = {{}, {"step", 1e-3}}{1 + any(strcmp (method{1}, {"rk4", "gauss"}))};
     same (folder, method{1}, axis, [few, {"input", 3, "method", method{1}}, step]);
   end
+  plan = gsmbp_plan ("septic", [0 1], [0.1 1]);
+  table = gsmbp_plan ("table", [0 0.5 1], [0 5 7], 0);
+  feedback = {"gain", [400, 10, 0], "reference", [0.5; 0; 0], "limits", 12, "breaks", 0.35};
+  same (folder, "a planned motion", axis, [few, {"motion", plan}]);
+  same (folder, "inputs of a table", axis, [few, {"input", table, "maxstep", 0.05}]);
+  same (folder, "a feedback with limits", axis, [few, feedback]);
+  same (folder, "radau, an order, tolerances", axis, [few, {"method", "radau", "maxorder", 5, ...
+        "rtol", 1e-7, "atol", [1e-8, 1e-7, 1e-6]}]);
+  if (gsmbp_has_sundials ())
+    same (folder, "cvode", axis, [few, {"input", 3, "method", "cvode"}]);
+  end
   crank = gsmbp_fixture ("case_02a_motor");
   x0 = gsmbp_assemble (crank, [0.3; -0.1; 0; zeros(4, 1)]);
   same (folder, "loops", crank, {x0, 0:0.1:0.5, "vary", struct("La", [0.02, 0.03], "l2", ...

@@ -109,7 +109,8 @@ def refusals():
         warnings.simplefilter('always')
         r = m.collocate(*ends, time=0.1, inputs={'F': (-1, 1)})
     holds('what cannot be is told', (
-        not r.solved and 'the equations miss by' in str(told[0].message)))
+        not r.solved and 'the equations miss by' in str(told[0].message)
+        and '(state %s)' % m.states[0] in str(told[0].message)))
 
 
 def ended_from_outside():

@@ -6,11 +6,10 @@
 
 function e = many_runs (who, p, rows)
   m = p.m;
-  good = strcmp (rows.broken, "");
   e = struct ("t", p.times(:));
   [e.x, e.v, e.y, info, counted, margins, stats, seconds, lanes, events, said] = ...
-      run_all (p, m, rows, good);
-  [e, cut] = judged (e, p, rows, ! good, stats, info, said);
+      run_all (p, m, rows);
+  [e, cut] = judged (e, p, rows, stats, info, said);
   for i = cut'   # here, where nobody else has them: they are not copied, which takes seconds
     bad = stats.outputs(i)+1:numel (e.t);
     [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
@@ -35,38 +34,14 @@ function e = many_runs (who, p, rows)
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction
 
-## the runs whose parameters break no rule of the scene, GOOD; NaN and zeros for the others
-function [x, v, y, info, counted, margins, stats, seconds, lanes, events, said] = ...
-      run_all (p, m, rows, good)
-  n = {[numel(p.times), m.sizes.nx], [numel(p.times), m.sizes.nv], ...
-       [numel(p.times), m.sizes.ny], 20, 20, 2, 3 * numel(m.events), 2 * numel(m.state_margins)};
-  [parts, text] = deal (cellfun (@(k) zeros ([k, 0]), n, "UniformOutput", false), {});
-  [seconds, lanes, events] = deal (0, false, zeros (4, 0));
-  if (any (good))
-    of = {@(x) x(good(1:size (x, 1)),:), @(x) x}{1 + all(good)};
-    [parts{1:6}, seconds, lanes, events, parts{7}, text, parts{8}] = ...
-        m.module ("ensemble", m.cst, p.given, nnz (good), rows.which, of (rows.table), ...
-                  of (rows.starts), of (rows.inputs), rows.threads, rows.lanes);
-  endif
-  if (! all (good))
-    for i = 1:8
-      parts{i} = among (parts{i}, n{i}, good, {NaN, 0}{1 + (i > 3)});
-    endfor
-    events(1,:) = find (good)(events(1,:))(:)';
-  endif
-  said = repmat ({""}, rows.n, 1);
-  if (! isempty (text))
-    said(good) = text;
-  endif
-  [x, v, y, counts, values, info, counted, margins] = parts{:};
-  stats = p.m.module ("statistics", counts, values);
-endfunction
-
-## SOME, of size K for each of the good ones of all runs, and NONE for the others
-function all_ = among (some, k, good, none)
-  all_ = repmat (none, [prod(k), numel(good)]);
-  all_(:,good) = reshape (some, prod (k), []);
-  all_ = reshape (all_, [k, numel(good)]);
+## all that the module has found; REASON: why each failed, "" where it did not
+function [x, v, y, info, counted, margins, stats, seconds, lanes, events, reason] = ...
+      run_all (p, m, rows)
+  broken = {rows.broken, {}}{1 + all(strcmp (rows.broken, ""))};
+  [x, v, y, counts, values, info, seconds, lanes, events, counted, reason, margins] = ...
+      m.module ("ensemble", m.cst, p.given, rows.n, rows.which, rows.table, rows.starts, ...
+                rows.inputs, broken, rows.threads, rows.lanes);
+  stats = m.module ("statistics", counts, values);
 endfunction
 
 ## columns for the N event functions from rows of counts and times
@@ -126,45 +101,29 @@ function list = sharp_runs (e, p, rows, stats)
   endfor
 endfunction
 
-## which runs came to their end; BROKEN: those whose parameters break a rule; CUT: those whose rows
-## behind the last one are to be NaN: a state where a run ended is none at a time asked for
-function [e, cut] = judged (e, p, rows, broken, stats, info, said)
+## which runs came to their end; CUT: those whose rows behind the last one are to be NaN: a state
+## where a run ended is none at a time asked for
+function [e, cut] = judged (e, p, rows, stats, info, said)
   ended = info(1,:)' == 11;   # by an event of the user
-  e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! broken;
+  e.ok = strcmp (said, "");
   e.reached = stats.reached';
   e.reached(e.ok & ! ended) = e.t(end);
-  e.reason = rows.broken;
-  e.reached(broken) = e.t(1);
-  idle = ! broken & stats.calls' == 0 & any (info(1,:)' == [9, 10], 2);   # not begun, perhaps many
-  e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
-  e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
-  failed = find (! e.ok)';
-  for i = failed(cellfun ("isempty", e.reason(failed)))
+  e.reason = said;
+  idle = stats.calls' == 0 & any (info(1,:)' == [0, 9, 10], 2);   # not begun, perhaps many
+  cut = find (! (e.ok | idle));
+  for i = cut'
     own = structfun (@(row) row(i), stats, "UniformOutput", false);
-    e.reason{i} = reason (p, rows, i, info(:,i), own, said{i}, last_of (e, i, own.outputs + 1));
+    e.reason{i} = reason (p, rows, i, info(1,i), own, said{i}, last_of (e, i, own.outputs + 1));
   endfor
-  cut = find (! e.ok & ! idle);
 endfunction
 
-## why run I failed, as gsmbp_simulate says it of the model with its parameters
+## why run I failed, as gsmbp_simulate says it of the model with its parameters; SAID by the engine
 function text = reason (p, rows, i, info, stats, said, last)
-  if (info(2) != 0)
-    text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
-    return;
-  endif
-  m = gs.run.model_of_row (p.m, rows, i);
-  if (info(1) == 3 && stats.failed == 7 && stats.failed_info == 13 && ! isempty (last))
-    text = gs.events.wrong_mode (m, p.times(1), last.x, p.o.modes, stats.cause);
+  if (info == 3 && stats.failed == 9)   # GS_BEFORE_START of gsmbp/failures.h
+    [~, remedy] = gs.start.verdict_words (stats.failed_info);
+    text = [said remedy];
   else
-    text = m.module ("failure", info(1), stats, said);
-    if (! isempty (last) && stats.failed != 8)
-      text = [text, gs.start.outside_range(m, stats.reached, last.x, last.v)];
-    endif
-    text = gs.run.failure_text (m, text, info(1), stats, last);
-    if (info(1) == 3 && stats.failed == 9)   # GS_BEFORE_START of gsmbp/failures.h
-      [~, remedy] = gs.start.verdict_words (stats.failed_info);
-      text = [text remedy];
-    endif
+    text = gs.run.failure_text (gs.run.model_of_row (p.m, rows, i), said, info, stats, last);
   endif
 endfunction
 

@@ -11,12 +11,11 @@ function file = build_program (who, s, p, records, folder)
   gs.sweep.check_place (who, folder, records{1,2});
   folder = make_absolute_filename (folder);
   gs.files.make_folder (who, folder);
-  library = library_of (p.method);
-  records = [records; run_records(s, p, library); plan_records(s, p)];
+  records = [records; sweep_records(s); run_records(m, p.given)];
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
        gs.model.sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
-  put (who, fullfile (folder, "Makefile"), makefile (library));
+  put (who, fullfile (folder, "Makefile"), makefile (p.method));
   gs.files.write_text (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", ...
                                                                       m.name));
   gs.files.write_text (who, fullfile (folder, "sweep.job"), gs.sweep.job_text (records));
@@ -25,32 +24,33 @@ function file = build_program (who, s, p, records, folder)
   file = fullfile (folder, "sweep");
 endfunction
 
-## numbers, and the runs whose parameters break a rule of the scene
-function records = run_records (s, p, library)
-  m = p.m;
+## what differs from run to run, with those whose parameters break a rule of the scene; what is kept
+function records = sweep_records (s)
+  m = s.m;
   [~, which] = ismember (s.names, fieldnames (m.par));
   broken = gs.model.broken_rules (m, cell2struct (num2cell (s.table, 1), s.names, 2));
   lines = cellfun (@(i, why) sprintf ("%d\t%s\n", i, strrep (why, "\n", " ")), ...
                    num2cell (find (! strcmp (broken, ""))), broken(! strcmp (broken, "")), ...
                    "UniformOutput", false);
   kept = s.kept;
-  records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
+  records = {"symbol", m.symbol; "broken", [lines{:}, ""]; "which", which
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
-             "groups", gs.events.group_names(m); "nominal", m.nominal
-             "par", gs.model.parameter_values(m)
-             "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
+             "groups", gs.events.group_names(m); "lanes", s.lanes};
 endfunction
 
-## what a run calls besides gs_integrate
-function word = library_of (method)
-  row = gs.run.method_row (method);
-  word = struct ("core", "", "both", "radau", "engine", method, "library", method).(row.by);
-endfunction
-
-function records = plan_records (s, p)
-  [~, which] = ismember (s.names, fieldnames (p.m.par));
-  job = p.m.module ("job", p.m.cst, p.given, which, s.table);
-  records = [fieldnames(job), struct2cell(job)];
+## a run of the model M, GIVEN to the engine (glue/asked_run.h): the options, the start, the inputs
+function records = run_records (m, given)
+  names = {"method", "loops", "step", "rtol", "atol", "maxstep", "maxsteps", "maxorder", ...
+           "drift", "project", "x0", "par", "nominal", "modes", "memory", "kind", "constants", ...
+           "table", "motion", "planned", "reference", "gain", "limits", "breaks"};
+  records = {"cst", typecast(m.cst(:)', "double")};
+  for name = names
+    x = given.(name{1});
+    if (isstruct (x))
+      x = [x.nc, x.np, x.k, x.numbers];
+    endif
+    records(end+1,:) = {name{1}, x};
+  endfor
 endfunction
 
 function take_sources (who, m, folder)
@@ -101,10 +101,10 @@ function put (who, file, text)
   endif
 endfunction
 
-function text = makefile (library)
+function text = makefile (method)
   [flags, common, of_c, lanes] = gs.model.fortran_flags ("double");
   text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
-                 "@runtime@", common, "@engine@", of_c, "@method@", library, "@lanes@", lanes);
+                 "@runtime@", common, "@engine@", of_c, "@method@", method, "@lanes@", lanes);
 endfunction
 
 ## a file of share/sweep, its marks filled in

@@ -1,6 +1,7 @@
 /* failure.c: why a run ended, the one catalogue of these messages, for all hosts. */
 #include <string.h>
 
+#include "gsmbp/functions.h"
 #include "host/failure.h"
 #include "host/start.h"
 #include "host/text.h"
@@ -134,47 +135,59 @@ put_failed_call (gs_writer *w, const gs_failed_run *f)
     put_routine (w, f);
 }
 
+static void
+put_failure (gs_writer *w, const gs_failed_run *f)
+{
+  switch (f->info)
+    {
+    case GS_TOO_MANY:
+      gs_put (w, "more steps than option maxsteps allows, at t = %.9g s", f->t);
+      return;
+    case GS_TOO_SMALL:
+      gs_put (w, "the step became too small at t = %.9g s: a singularity, or too small a "
+              "tolerance", f->t);
+      break;
+    case GS_ROUTINE_FAILED:
+      put_failed_call (w, f);
+      if (f->istat[GS_FAILED] >= GS_AT_START)
+        return;
+      break;
+    case GS_NOT_FINITE:
+      gs_put (w, "the state is no longer finite at t = %.9g s: take smaller steps", f->t);
+      break;
+    case GS_METHOD_FAILED:
+      gs_put (w, "the method stopped at t = %.9g s with flag %d: %s", f->t, f->istat[GS_CAUSE],
+              f->said ? f->said : "");
+      break;
+    case GS_OUT_OF_MEMORY:
+      gs_put (w, "there was no memory for the method");
+      break;
+    case GS_RATE_NOT_FINITE:
+      gs_put (w, "a rate of the states is not finite at t = %.9g s", f->t);
+      break;
+    case GS_INTERRUPTED:
+      gs_put (w, "interrupted by Ctrl-C at t = %.9g s", f->t);
+      break;
+    case GS_TIMED_OUT:
+      gs_put (w, "ended by option timeout at t = %.9g s", f->t);
+      break;
+    default:
+      gs_put (w, "the run ended with INFO = %d", f->info);
+    }
+  if (f->istat[GS_IS_STIFF] > 0)
+    gs_put (w, "; the steps are bound by stability");
+}
+
 void
 gs_failure (const gs_failed_run *f, char *text, int size)
 {
   gs_writer w = { text, size, 0 };
   text[0] = 0;
-  switch (f->info)
+  put_failure (&w, f);
+  const gs_scene *s = f->d->scene;
+  if (f->x && gs_not_finite (s->nx, f->x) == 0 && gs_not_finite (s->nv, f->v) == 0)
     {
-    case GS_TOO_MANY:
-      gs_put (&w, "more steps than option maxsteps allows, at t = %.9g s", f->t);
-      return;
-    case GS_TOO_SMALL:
-      gs_put (&w, "the step became too small at t = %.9g s: a singularity, or too small a "
-              "tolerance", f->t);
-      break;
-    case GS_ROUTINE_FAILED:
-      put_failed_call (&w, f);
-      if (f->istat[GS_FAILED] >= GS_AT_START)
-        return;
-      break;
-    case GS_NOT_FINITE:
-      gs_put (&w, "the state is no longer finite at t = %.9g s: take smaller steps", f->t);
-      break;
-    case GS_METHOD_FAILED:
-      gs_put (&w, "the method stopped at t = %.9g s with flag %d: %s", f->t, f->istat[GS_CAUSE],
-              f->said ? f->said : "");
-      break;
-    case GS_OUT_OF_MEMORY:
-      gs_put (&w, "there was no memory for the method");
-      break;
-    case GS_RATE_NOT_FINITE:
-      gs_put (&w, "a rate of the states is not finite at t = %.9g s", f->t);
-      break;
-    case GS_INTERRUPTED:
-      gs_put (&w, "interrupted by Ctrl-C at t = %.9g s", f->t);
-      break;
-    case GS_TIMED_OUT:
-      gs_put (&w, "ended by option timeout at t = %.9g s", f->t);
-      break;
-    default:
-      gs_put (&w, "the run ended with INFO = %d", f->info);
+      const int said = (int)strlen (text);
+      gs_outside_text (f->d, (gs_real)f->t, f->x, f->v, f->cst, f->par, text + said, size - said);
     }
-  if (f->istat[GS_IS_STIFF] > 0)
-    gs_put (&w, "; the steps are bound by stability");
 }

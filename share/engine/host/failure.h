@@ -3,6 +3,7 @@
 #define GSMBP_HOST_FAILURE_H
 
 #include "gsmbp/failures.h"
+#include "gsmbp/real.h"
 #include "gsmbp/statistics.h"
 
 #ifdef __cplusplus
@@ -18,6 +19,9 @@ typedef struct
   const int *istat;    /* GS_COUNTED; [GS_CAUSE]: the event that failed, from 1; 0: not known */
   double t;            /* the time reached [s] */
   const char *said;    /* by an implicit method that stopped; why a start was refused */
+  const gs_real *x, *v; /* its last state and inputs; null: not known */
+  const gs_real *cst;
+  const double *par;   /* as in gs_start_given */
 } gs_failed_run;
 
 /* the routine of the scene that failed, in lower case without its name ("rhs"); "": none of it */
@@ -26,7 +30,8 @@ const char *gs_failed_routine (const int *istat);
 /* why its routine failed, alone; only d and istat are read */
 void gs_cause (const gs_failed_run *f, char *text, int size);
 
-/* why a run ended, into text of the given size, cut to it */
+/* why a run ended, with the devices that are outside their margins in its last state, into text of
+ * the given size, cut to it */
 void gs_failure (const gs_failed_run *f, char *text, int size);
 
 #ifdef __cplusplus

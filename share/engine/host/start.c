@@ -232,20 +232,16 @@ gs_check_margins (const gs_description *d, const gs_start_given *g, const gs_rea
 }
 
 /* ports are the event functions before those of the user */
-static int
-count_ports (const gs_scene *s)
-{
-  int n = 0;
-  while (n < s->nev && s->event_kinds[n] <= 2)
-    n++;
-  return n;
-}
-
-/* where the n ports are (n numbers), how fast, their ends (4,n), in one new array */
-static gs_real *
-ports (const gs_description *d, const gs_start_given *g, const gs_real *x, int n)
+gs_real *
+gs_ports_at (const gs_description *d, const gs_start_given *g, const gs_real *x, int *ports)
 {
   const gs_scene *s = d->scene;
+  int n = 0;
+  while (s->hld && n < s->nev && s->event_kinds[n] <= 2)
+    n++;
+  *ports = n;
+  if (n == 0)
+    return NULL;
   gs_real *w = calloc ((size_t)((6 + s->nu) * n + s->nv + 1), sizeof *w);
   if (w)
     s->hld (g->t, x, g->v ? g->v : w + (6 + s->nu) * n, g->cst, w + 6 * n, n, w, w + n, w + 2 * n);
@@ -255,12 +251,12 @@ ports (const gs_description *d, const gs_start_given *g, const gs_real *x, int n
 int
 gs_check_stops (const gs_description *d, const gs_start_given *g, const gs_real *x, gs_start *s)
 {
-  const int n = d->scene->hld ? count_ports (d->scene) : 0;
+  int n;
   const double near = gs_limits.past_stop;
+  gs_real *w = gs_ports_at (d, g, x, &n);
   s->verdict = GS_START_TAKEN;
   if (n == 0)
     return GS_START_TAKEN;
-  gs_real *w = ports (d, g, x, n);
   if (! w)
     return no_memory (s);
   for (int k = 0; k < n && s->verdict == GS_START_TAKEN; k++)
@@ -336,11 +332,12 @@ void
 gs_wrong_mode (const gs_description *d, const gs_start_given *g, const gs_real *x, int k,
                char *text, int size)
 {
-  const int n = count_ports (d->scene), mode = g->modes[k];
-  gs_real *w = k < n ? ports (d, g, x, n) : NULL;
+  const int mode = g->modes[k];
+  int n;
+  gs_real *w = gs_ports_at (d, g, x, &n);
   char why[200] = "which has no mode";
   int wanted = 0;
-  if (w)
+  if (w && k < n)
     {
       const double place = (double)w[k], speed = (double)w[n + k],
                    low = (double)w[2 * n + 4 * k], high = (double)w[2 * n + 4 * k + 1];

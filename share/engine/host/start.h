@@ -133,6 +133,10 @@ int gs_check_margins (const gs_description *d, const gs_start_given *g, const gs
 int gs_check_stops (const gs_description *d, const gs_start_given *g, const gs_real *x,
                     gs_start *s);
 
+/* the ports, n of them: where they are (n), how fast (n), their ends and two other numbers of each
+ * (4,n), for free; a null pointer: there are none (n = 0), or no memory */
+gs_real *gs_ports_at (const gs_description *d, const gs_start_given *g, const gs_real *x, int *n);
+
 /* all that, margins only where g->check is 1 */
 int gs_take_start (const gs_description *d, const gs_start_given *g, gs_real *x, gs_start *s);
 

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "host/ensemble/run_rows.h"
-#include "host/failure.h"
 
 /* in loops.c, made by render.py */
 extern const gs_description *gs_loop_about (void);
@@ -34,17 +33,10 @@ gs_loop_rows_size (int which)
   return (int)sizes[which];
 }
 
-/* why a run ended */
-void
-gs_loop_failure (int info, const int *istat, double t, const char *said, char *text, int size)
-{
-  gs_failure (&(gs_failed_run){ gs_loop_about (), info, istat, t, said }, text, size);
-}
-
 /* n texts of gs_results */
 void
-gs_loop_forget (char **said, int n)
+gs_loop_forget (char **texts, int n)
 {
   for (int i = 0; i < n; i++)
-    free (said[i]);
+    free (texts[i]);
 }

@@ -1,5 +1,11 @@
-/* reach.c: the choice among solutions of inverse kinematics for the module. */
+/* reach.c: axes of poses, the choice among solutions of inverse kinematics for the module. */
 #include "host/reach/reach.h"
+
+int
+gs_loop_axes (int n, const double *given, int k, double *axes, char *why, int size)
+{
+  return gs_reach_axes (n, given, k, axes, why, size);
+}
 
 int
 gs_loop_choose (int nq, const int *turns, const double *limits, const double *before, int n,

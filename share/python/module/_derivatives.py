@@ -4,16 +4,15 @@ import re
 
 import numpy as np
 
-from ._grazing import CHANGES, EVENTS, grazed
 from ._library import LIBRARY, NAME, ROUTINES, SIZES, TABLE
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 KNOWN = list(TABLE.get('sensitivity') or [])   # parameters of RHP, in its order
-WHY = (
-    '', 'the motion only grazes there',
-    'another event at the same instant would come at another time',
-    'the equations there have no derivatives',
-    'what it resets is moved onto the constraints of a loop, which leave a choice')
+EVENTS = TABLE.get('events') or []
+# of each event function whether its event changes states, inputs or modes
+CHANGES = np.array([e['kind'] != 'event' or bool(e.get('resets') or e.get('switches'))
+                    for e in EVENTS] + [False], np.intc)
+LIBRARY.gs_derivatives_why.restype = ctypes.c_char_p
 _ADDRESS = ctypes.POINTER(ctypes.c_double)
 
 
@@ -117,96 +116,41 @@ class Carried:
         for k, name in enumerate(names):
             if not columns[k]:
                 self.start[model.states.index(name), k] += 1
-        self.run = None
 
     def ask(self, options):
         """These columns among the options of a run (gs_run_options)."""
         options.ncolumns = self.n
         options.put('columns', self.columns, np.intc)
+        options.keep('names', (ctypes.c_char_p * self.n)(*[name.encode() for name in self.names]))
         options.put('fixed', self.fixed, np.intc)
         options.put('sizes', self.sizes)
         options.put('dx0', self.start)
         options.put('changes', CHANGES, np.intc)
 
-    def found(self, r, result, times, alone):
+    def found(self, r, result):
         """dx, dv, dy of the run r, and dt of its events: dicts by the names; result: that of the
-        engine; times: those that stand for its rows; alone: the run of the states alone, at other
-        times. stats['lost'] says where there are none."""
-        n, self.run = len(r.t), result.pointer('derivatives')
-        S = result.array('x', (result.nx, n))[NX:].reshape(NX, self.n, n, order='F')
-        V = self._inputs(r, result)
-        Y = self._outputs(r, S, V, times)
-        moved = self._moved(r)
-        lost = self._lost(r, alone)
-        r.stats['lost'] = [
-            {'name': self.names[k], 'time': t, 'text': WHY[why],
-             'event': EVENTS[number - 1]['name'] if EVENTS else ''}
-            for k, (why, number, t) in enumerate(lost) if why]
-        for k, (why, _, t) in enumerate(lost):   # NaN where a column was lost
-            if why:
-                for a in (S, V, Y):
-                    a[:, k, r.t >= t] = np.nan
-                moved[k, r.events['t'] >= t if EVENTS else []] = np.nan
+        engine. stats['lost'] says where there are none."""
+        run, n = result.pointer('derivatives'), len(r.t)
+        columns = (('dx', NX, result.array('x', (result.nx, n))[NX:]),
+                   ('dv', NV, result.array('dv', (NV * self.n, n))),
+                   ('dy', NY, result.array('dy', (NY * self.n, n))))
+        for name, rows, all_of in columns:
+            setattr(r, name, {one: all_of[rows * k:rows * (k + 1)].copy()
+                              for k, one in enumerate(self.names)})
         if EVENTS:
+            numbers = _ADDRESS()
+            count = LIBRARY.gs_derivatives_of_events(run, ctypes.byref(numbers))
+            moved = (np.ctypeslib.as_array(numbers, (count, self.n)).T.copy() if count
+                     else np.zeros((self.n, 0)))
             r.events['dt'] = dict(zip(self.names, moved))
-        r.dx, r.dv, r.dy = ({name: a[:, k].copy() for k, name in enumerate(self.names)}
-                            for a in (S, V, Y))
+        r.stats['lost'] = list(self._lost(run))
 
-    def _moved(self, r):
-        """Derivatives of the times of the events, a row for each column."""
-        n, numbers = len(r.events['t']) if EVENTS else 0, _ADDRESS()
-        count = LIBRARY.gs_derivatives_of_events(self.run, ctypes.byref(numbers))
-        if not count:
-            return np.zeros((self.n, n))
-        return np.ctypeslib.as_array(numbers, (count, self.n)).T.copy()
-
-    def _lost(self, r, alone):
-        """Of each column why it was given up (0: it was not), at which event, when."""
-        lost = []
-        for k in range(self.n):
+    def _lost(self, run):
+        """The columns that were given up."""
+        for k, name in enumerate(self.names):
             event, time = ctypes.c_int(), ctypes.c_double()
-            why = LIBRARY.gs_derivatives_lost(self.run, ctypes.c_int(k), ctypes.byref(event),
+            why = LIBRARY.gs_derivatives_lost(run, ctypes.c_int(k), ctypes.byref(event),
                                               ctypes.byref(time))
-            lost.append((why, event.value, time.value))
-        numbers = _ADDRESS()
-        count = LIBRARY.gs_derivatives_turns(self.run, ctypes.byref(numbers))
-        if not count or len(r.t) < 2:
-            return lost
-        turns = np.ctypeslib.as_array(numbers, (count, 2)).copy()
-        found = grazed(self.model, r, turns, alone, r.stats['atol'])
-        if found:
-            lost = [one if one[0] and one[2] <= found[1] else (1, *found) for one in lost]
-        return lost
-
-    def _inputs(self, r, result):
-        """Those of held outputs, and of inputs that follow a motion or feedback."""
-        n = len(r.t)
-        V = np.zeros((NV, self.n, n), order='F')
-        if result.dv:
-            V = result.array('dv', (NV, self.n, n))
-        numbers = _ADDRESS()
-        count = LIBRARY.gs_derivatives_held(self.run, ctypes.byref(numbers))
-        if count < 0:
-            raise MemoryError('%s: sensitivity' % self.who)
-        if count == 0:
-            return V
-        held = np.ctypeslib.as_array(numbers, (count, 1 + NV * self.n))
-        for i, t in enumerate(r.t):
-            late = np.flatnonzero((held[:, 0] < t - 1e-12 * abs(t))
-                                  | ((i == 0) & (held[:, 0] <= t)))
-            if len(late):
-                V[:, :, i] += held[late[-1], 1:].reshape(NV, self.n, order='F')
-        return V
-
-    def _outputs(self, r, S, V, times):
-        """C*S + D*V + what the parameters do by themselves; NaN where that was not emitted."""
-        Y = np.full((NY, self.n, len(r.t)), np.nan)
-        if NY == 0 or not {'oup', 'jac'} <= ROUTINES.keys():
-            return Y
-        for i, t in enumerate(times):
-            linear = self.model.linearize(t, r.x[:, i], r.v[:, i])
-            alone = np.column_stack([np.zeros(NY), self.model.oup(t, r.x[:, i], r.v[:, i])])
-            Y[:, :, i] = linear.c @ S[:, :, i] + alone[:, self.columns]
-            if NV:
-                Y[:, :, i] += linear.d @ V[:, :, i]
-        return Y
+            if why:
+                yield {'name': name, 'time': time.value, 'event': EVENTS[event.value - 1]['name'],
+                       'text': LIBRARY.gs_derivatives_why(ctypes.c_int(why)).decode()}

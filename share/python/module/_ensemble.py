@@ -11,12 +11,13 @@ from . import _checks
 from ._library import LIBRARY, NAME, SIZES, TABLE, address, at
 from ._motion import Piecewise
 from ._run import (NV, NX, NY, RunWarning, _Plan, _breaks, _options, _refuse, _vector, _word,
-                   free_inputs, meaning, rising)
+                   free_inputs, rising)
 from ._start import _REMEDIES
 from ._structures import Result as Found, Results, Rows, Start
 from ._tables import COUNTS, DEFAULT, REFUSALS, VALUES, VERDICTS, is_number
 
-BEFORE_START = 9   # what failed was the start: GS_BEFORE_START of gsmbp/failures.h
+ROUTINE_FAILED = 3   # of gsmbp/failures.h: info where a routine failed,
+BEFORE_START = 9   # ... or, by its count, the start was refused: GS_BEFORE_START
 INTERRUPTED = 9    # info of runs that are ended from outside
 ENDED = 11         # of one that an event of the user has ended
 
@@ -185,23 +186,23 @@ def _arrays(n, nt):
          'y': np.full((n, NY, nt), np.nan), 'counts': np.zeros((n, len(COUNTS))),
          'values': np.zeros((n, len(VALUES))), 'info': np.zeros((n, 2)),
          'counted': np.zeros((n, 3, nev)), 'margins': np.zeros((n, 2, nmargins)),
-         'said': np.zeros(n, np.uintp)}
+         'reason': np.zeros(n, np.uintp)}
     a['margins'][:, 1] = np.inf
     return a
 
 
 def _run_all(who, model, options, start, inputs, rows, threads):
-    """The arrays of all runs, with reasons of those that were refused, and how long they took."""
+    """The arrays of all runs, with reasons of those that failed, and how long they took."""
     a = _arrays(rows.n, start.nt)
     results = Results(**{name: address(array) for name, array in a.items()})
-    said, begun, over, found = a.pop('said'), time.perf_counter(), np.zeros(1, np.intc), Found()
+    texts, begun, over, found = a.pop('reason'), time.perf_counter(), np.zeros(1, np.intc), Found()
     try:
         _in_a_thread(over, LIBRARY.gs_loop_ensemble, (
             options.address(), start.address(), inputs.address(), rows.structure().address(),
             ctypes.c_int(threads), at(over), results.address(), found.address()))
-        a['said'] = [ctypes.string_at(int(text)) if text else b'' for text in said]
+        a['reason'] = [ctypes.string_at(int(text)).decode() if text else '' for text in texts]
     finally:
-        LIBRARY.gs_loop_forget(at(said), ctypes.c_int(rows.n))
+        LIBRARY.gs_loop_forget(at(texts), ctypes.c_int(rows.n))
         LIBRARY.gs_free_result(found.address())
     a['seconds'] = time.perf_counter() - begun
     _refuse(who, model, found)
@@ -238,28 +239,19 @@ def _in_a_thread(over, function, arguments):
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _reason(i, run, rows):
-    """Why run i failed."""
-    info, pre = run['info'][i].astype(int)
-    if rows.broken[i]:
-        return rows.broken[i]
-    if pre:
-        return 'its parameters cannot be: ' + meaning('pre', int(pre))
-    counts = np.ascontiguousarray(run['counts'][i], np.intc)
-    text = ctypes.create_string_buffer(2400)
-    LIBRARY.gs_loop_failure(
-        ctypes.c_int(int(info)), at(counts), ctypes.c_double(run['values'][i, VALUES.index(
-            'reached')]), run['said'][i], text, ctypes.c_int(len(text)))
+def _reason(i, run):
+    """Why run i failed, and what a call may do about it."""
     remedy = ''
-    if counts[COUNTS.index('failed')] == BEFORE_START:
-        remedy = _REMEDIES.get(VERDICTS[counts[COUNTS.index('failed_info')]], '')
-    return text.value.decode() + remedy
+    if run['info'][i, 0] == ROUTINE_FAILED and run['counts'][i, COUNTS.index('failed')] == \
+            BEFORE_START:
+        verdict = VERDICTS[int(run['counts'][i, COUNTS.index('failed_info')])]
+        remedy = _REMEDIES.get(verdict, '')
+    return run['reason'][i] + remedy
 
 
 def _result(rows, times, run):
-    info, pre = run['info'].T.astype(int)
-    ended = info == ENDED
-    ok = ((info == 0) | ended) & (pre == 0) & np.array([b is None for b in rows.broken])
+    ended = run['info'][:, 0] == ENDED
+    ok = np.array([not text for text in run['reason']])
     reached = run['values'][:, VALUES.index('reached')].copy()
     reached[ok & ~ended] = times[-1]
     for i in np.flatnonzero(~ok):   # a state where a run ended is none at a time asked for
@@ -275,7 +267,7 @@ def _result(rows, times, run):
         never = np.where(counted[:, 0] > 0, 0.0, np.nan)
         events = {'count': counted[:, 0].astype(int), 'first': counted[:, 1] + never,
                   'last': counted[:, 2] + never}
-    reason = ['' if good else _reason(i, run, rows) for i, good in enumerate(ok)]
+    reason = ['' if good else _reason(i, run) for i, good in enumerate(ok)]
     return Ensemble(t=times, x=run['x'], v=run['v'], y=run['y'] if NY else None, ok=ok,
                     reached=reached, reason=reason, stats=stats, parameters=rows.columns,
                     events=events)

@@ -61,13 +61,11 @@ def _poses(who, P, R):
         return P, None
     R = _finite(who, 'R', R)
     k = P.shape[1]
-    if R.shape in ((4,), (4, k)):
-        R = _by_parameters(who, R.reshape(4, -1))
-    R = R[:, :, None] if R.shape == (3, 3) and k == 1 else R
-    if R.shape != (3, 3, k):
+    R = R[..., None] if R.shape in ((4,), (3, 3)) and k == 1 else R
+    if R.shape not in ((4, k), (3, 3, k)):
         raise ValueError('%s: R: expected the shape (3, 3, %d) (rotation matrices), (4, %d) (Euler '
                          'parameters) or None; found %s' % (who, k, k, R.shape))
-    return P, np.stack([_rotation(who, R[:, :, i], i) for i in range(k)], axis=2)
+    return P, np.stack([_axes(who, R[..., i], i) for i in range(k)], axis=2)
 
 
 def _finite(who, what, given):
@@ -77,26 +75,14 @@ def _finite(who, what, given):
     return a.astype(float)
 
 
-def _rotation(who, R, k):
-    """The closest rotation: decimals are rounded."""
-    miss, det = np.abs(R.T @ R - np.eye(3)).max(), np.linalg.det(R)
-    if miss > 1e-6 or det < 0:
-        raise ValueError("%s: axes of pose %d: expected a rotation matrix, found R'R - 1 up to %g, "
-                         'det %g' % (who, k, miss, det))
-    U, _, V = np.linalg.svd(R)
-    return U @ V
-
-
-def _by_parameters(who, e):
-    sizes = np.sqrt((e ** 2).sum(axis=0))
-    if (sizes < 1e-6).any():
-        raise ValueError('%s: axes: Euler parameters of pose %d are zero' % (
-            who, np.flatnonzero(sizes < 1e-6)[0]))
-    axes = []
-    for s, x, y, z in (e / sizes).T:
-        X = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        axes.append(np.eye(3) + 2 * s * X + 2 * X @ X)
-    return np.stack(axes, axis=2)
+def _axes(who, given, k):
+    """Of Euler parameters, or the closest rotation: decimals are rounded."""
+    given, axes = np.ravel(given, order='F'), np.zeros((3, 3), order='F')
+    why = ctypes.create_string_buffer(200)
+    if not LIBRARY.gs_loop_axes(ctypes.c_int(given.size), at(given), ctypes.c_int(k), at(axes), why,
+                                ctypes.c_int(len(why))):
+        raise ValueError('%s: %s' % (who, why.value.decode()))
+    return axes
 
 
 # -------------------------------------------------------------------------------------- the job

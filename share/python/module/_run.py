@@ -8,7 +8,6 @@ import numpy as np
 
 from . import _start
 from ._derivatives import Carried
-from ._grazing import starts_on_stops
 from ._ends import Ends
 from ._implicit import cvode, sharp_friction
 from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, at
@@ -314,18 +313,6 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     carried = Carried.of(who, self, sensitivity, fixed, dx0, motion is not None, input)
     if carried:
         carried.ask(options)
-        if any(e['kind'] == 'stop' for e in TABLE.get('events') or []):
-            _prepared(who, self, options, given, p.given, carried)
-
-    def alone(at_times):
-        with warnings.catch_warnings():
-            warnings.simplefilter('ignore')
-            return simulate(
-                self, x, at_times, method=method, rtol=rtol, atol=atol, step=step,
-                maxstep=maxstep, maxsteps=maxsteps, maxorder=maxorder, loops=loops, drift=drift,
-                start=start, input=input, motion=motion, gain=gain, reference=reference,
-                limits=limits, breaks=breaks, memory=memory, samples=False, modes=modes,
-                errors='return')
     found = Found()
     begun = time.perf_counter()
     with p.ends:
@@ -335,24 +322,9 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
         if p.ends.failure is not None:
             raise p.ends.failure
         _refuse(who, self, found)
-        return _result(who, self, found, time.perf_counter() - begun, audit, errors, carried,
-                       alone)
+        return _result(who, self, found, time.perf_counter() - begun, audit, errors, carried)
     finally:
         LIBRARY.gs_free_result(found.address())
-
-
-def _prepared(who, model, options, start, inputs, carried):
-    """Refuse a start with derivatives that leave the stops that it is on."""
-    found = Found()
-    try:
-        LIBRARY.gs_loop_prepare(options.address(), start.address(), inputs.address(),
-                                found.address())
-        _refuse(who, model, found)
-        first = found.array('x', (found.nx,))
-    finally:
-        LIBRARY.gs_free_result(found.address())
-    starts_on_stops(who, model, start.kept['times'][0], first[:NX], carried.names,
-                    first[NX:].reshape(NX, carried.n, order='F'), carried.sizes)
 
 
 def _word(who, name, given, words):
@@ -421,7 +393,7 @@ def _tolerances(who, given):
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _result(who, model, found, seconds, audit, errors, carried, alone):
+def _result(who, model, found, seconds, audit, errors, carried):
     rows, method = found.rows, found.method.decode()
     v, x = found.array('v', (max(1, NV), rows))[:NV], found.array('x', (found.nx, rows))
     r = Result(t=found.array('times', (rows,)), x=x[:NX], v=v, y=None, samples=None, events=None,
@@ -447,7 +419,7 @@ def _result(who, model, found, seconds, audit, errors, carried, alone):
     if audit is not None:
         r.audit = _audit(model, r, x[NX:])
     if carried:
-        carried.found(r, found, _row_times(model, r.t, s['outputs']), alone)
+        carried.found(r, found)
     _tell(who, model, r, method)
     return r
 

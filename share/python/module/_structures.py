@@ -43,7 +43,7 @@ class Options(_Structure):
     _fields_ = [('method', _TEXT), ('loops', _TEXT), ('step', _REAL), ('rtol', _REAL),
                 ('atol', _AT), ('maxstep', _REAL), ('maxsteps', _REAL), ('maxorder', _REAL),
                 ('drift', _INT), ('project', _INT), ('samples', _INT), ('audit', _REAL),
-                ('ncolumns', _INT), ('columns', _AT), ('sizes', _AT), ('dx0', _AT),
+                ('ncolumns', _INT), ('columns', _AT), ('names', _AT), ('sizes', _AT), ('dx0', _AT),
                 ('fixed', _AT), ('changes', _AT), ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
 
 
@@ -88,7 +88,7 @@ class Results(_Structure):
 
     _fields_ = [(name, _AT) for name in (
         'x', 'v', 'y', 'counts', 'values', 'info', 'counted', 'margins', 'events', 'nevents',
-        'said')] + [('no_memory', _INT), ('in_lanes', _INT)]
+        'reason')] + [('no_memory', _INT)]
 
 
 class Taken(_Structure):
@@ -107,8 +107,8 @@ class Result(_Structure):
                 ('start', Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
-                ('loop_method', _INT), ('dv', _AT), ('istat', _INT * len(COUNTS)),
-                ('rstat', _REAL * len(VALUES)),
+                ('loop_method', _INT), ('in_lanes', _INT), ('dv', _AT), ('dy', _AT),
+                ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
                 *((name, _AT) for name in ('ip', 'rp', 'derivatives', 'room'))]
 
     def pointer(self, name):

@@ -153,15 +153,18 @@ failing (const subject *j, int lanes)
                        sizeof (double) * (size_t)(NT * j->s->nx)) == 0
                && good.info[2 * i] == bad.info[2 * i];
   check ("the others are the same, bit for bit", of, equal);
-  check ("pre refuses a parameter", of, bad.info[2 * 4 + 1] != 0 && bad.taken[4] == 1);
+  check ("pre refuses a parameter", of, bad.info[2 * 4 + 1] != 0 && bad.taken[4] == 1
+         && bad.reason[4] && strstr (bad.reason[4], "its parameters cannot be: ") == bad.reason[4]);
   if (closed)
     check ("a start is refused with a message", of,
-           bad.info[2 * 9] == GS_ROUTINE_FAILED && bad.said[9] && bad.said[9][0]);
+           bad.info[2 * 9] == GS_ROUTINE_FAILED && bad.reason[9] && bad.reason[9][0]);
   else
     check ("a start that is no number is out of range", of, bad.info[2 * 9] < 0);
   check ("one that is broken is not begun", of,
          bad.taken[20] == 1 && isnan (bad.x[NT * j->s->nx * 20])
            && bad.counts[GS_COUNTED * 20 + GS_N_RHS] == 0);
+  check ("... and says why; what did not fail says nothing", of,
+         bad.reason[20] && strcmp (bad.reason[20], "a rule") == 0 && ! bad.reason[19]);
   forget (&good);
   forget (&bad);
   take_away (&g);
@@ -207,7 +210,7 @@ interrupted (const subject *j, int method, int lanes)
   for (int turn = 0; turn < 2; turn++)
     {
       memset (&f, 0, sizeof f);
-      f.all = (gs_results){ .info = f.info, .values = f.values, .said = f.said };
+      f.all = (gs_results){ .info = f.info, .values = f.values, .reason = f.reason };
       p.asked = p.done = 0;
       if (gs_run_ensemble (&g.e, &g.rows, 2, count_and_keep, &f, progress) != 0)
         abort ();

@@ -130,7 +130,7 @@ typedef struct
   gs_results all;
   double x[N * NX * NT], info[2 * N], counts[GS_COUNTED * N], values[GS_MEASURED * N];
   double counted[3 * 8 * N];
-  char *said[N];
+  char *reason[N];
   int taken[N];
 } found;
 
@@ -149,7 +149,7 @@ run_all (const given *g, int threads, found *f)
   for (int k = 0; k < N * NX * NT; k++)
     f->x[k] = NAN;
   f->all = (gs_results){ .x = f->x, .counts = f->counts, .values = f->values, .info = f->info,
-                         .counted = f->counted, .said = f->said };
+                         .counted = f->counted, .reason = f->reason };
   if (gs_run_ensemble (&g->e, &g->rows, threads, count_and_keep, f, NULL) != 0)
     abort ();
 }
@@ -158,7 +158,7 @@ static void
 forget (found *f)
 {
   for (int i = 0; i < N; i++)
-    free (f->said[i]);
+    free (f->reason[i]);
 }
 
 /* 1: the same bytes in all that is kept */

@@ -281,6 +281,6 @@ int
 gs_cvode (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method bdf_
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 1, 0, 0 };
+    = { open_, close_, begin, restart, step, again, between, 0, rejected, count, 1, 0, 0 };
   return gs_implicit_run (scene, run, options, &bdf_);
 }

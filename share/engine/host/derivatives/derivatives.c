@@ -263,11 +263,3 @@ gs_derivatives_constants (const gs_derivatives *d)
 {
   return gs_columns_constants (d);
 }
-
-int
-gs_derivatives_lost (const gs_derivatives *d, int k, int *event, double *time)
-{
-  *event = d->event[k];
-  *time = d->lost_at[k];
-  return d->why[k];
-}

@@ -76,6 +76,17 @@ enum
 /* ... with the number of the event (from 1) and its time [s]. The column is 0 from there on. */
 int gs_derivatives_lost (const gs_derivatives *d, int k, int *event, double *time);
 
+/* that in words */
+const char *gs_derivatives_why (int why);
+
+/* all columns only graze event function event (from 1) at the time t, but for those that have no
+ * derivatives by then; derivatives by column k of the times of events from t on are NaN */
+void gs_derivatives_end (gs_derivatives *d, int event, double t);
+void gs_derivatives_drop_times (gs_derivatives *d, int k, double t);
+
+/* 1: event function event (from 1) changes states or inputs */
+int gs_derivatives_changes (const gs_derivatives *d, int event);
+
 /* how many pairs (number of an event function from 1, time [s]) there are where it came close to 0
  * and turned */
 int gs_derivatives_turns (const gs_derivatives *d, const double **pairs);

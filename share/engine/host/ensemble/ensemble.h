@@ -117,6 +117,12 @@ int gs_ensemble_in_lanes (const gs_ensemble *e);
 int gs_run_ensemble (const gs_ensemble *e, const gs_rows *rows, int threads, gs_take_member *take,
                      void *to, void (*progress) (void *asked, int done));
 
+/* 1: it came to its end, or an event of the user has ended it */
+int gs_member_is_done (const gs_member *m);
+
+/* why a run failed, or "", into text of the given size */
+void gs_member_failure (const gs_ensemble *e, const gs_member *m, char *text, int size);
+
 /* the outputs y (ny) of the scene at output time k of a run, in the state of column at: those of
  * the side that the row has where the scene switches. 1; 0: there are none, y is as it was */
 int gs_outputs_at (const gs_ensemble *e, const gs_member *m, int k, int at, gs_real *y);
@@ -135,9 +141,9 @@ typedef struct
   double **events;          /* n: (3,nevents) time, number, mode after; null before, then of
                                malloc */
   int *nevents;             /* n: how many */
-  char **said;              /* n: texts of members that have one; null before, then of malloc */
+  char **reason;            /* n: why a run failed; null before, and of one that is done; else of
+                               malloc */
   int no_memory;            /* 0 before; 1: something is missing */
-  int in_lanes;             /* of gs_run_rows: 1: they were in lanes */
 } gs_results;
 
 /* a gs_take_member whose argument is a gs_results */

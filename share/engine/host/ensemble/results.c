@@ -102,13 +102,15 @@ keep_events (const gs_member *m, gs_results *to)
 }
 
 static void
-keep_text (const gs_member *m, gs_results *to)
+keep_reason (const gs_ensemble *e, const gs_member *m, gs_results *to)
 {
-  if (! to->said || ! m->text[0])
+  char text[2500];   /* the message of a refused start fits (gs_start) */
+  if (! to->reason || gs_member_is_done (m))
     return;
-  to->said[m->row] = malloc (strlen (m->text) + 1);
-  if (to->said[m->row])
-    strcpy (to->said[m->row], m->text);
+  gs_member_failure (e, m, text, sizeof text);
+  to->reason[m->row] = malloc (strlen (text) + 1);
+  if (to->reason[m->row])
+    strcpy (to->reason[m->row], text);
   else
     to->no_memory = 1;
 }
@@ -128,8 +130,7 @@ gs_keep_member (void *results, const gs_ensemble *e, gs_member *m)
     to->counts[(ptrdiff_t)GS_COUNTED * m->row + k] = r->istat[k];
   for (int k = 0; k < GS_MEASURED && to->values; k++)
     to->values[(ptrdiff_t)GS_MEASURED * m->row + k] = (double)r->rstat[k];
-  if (m->info == GS_METHOD_FAILED || m->info == GS_ROUTINE_FAILED)
-    keep_text (m, to);
+  keep_reason (e, m, to);
   if (! m->begun)
     return;
   keep_rows (e, m, ended ? r->nt : gs_least (r->nt, reached + (m->info != 0)), to);

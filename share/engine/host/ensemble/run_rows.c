@@ -35,8 +35,10 @@ pending_of_row (const gs_description *d, const gs_rows *rows, int k, gs_real *pa
   return gs_pending (n, seconds, seconds + n);
 }
 
-int
-gs_most_pending (const gs_description *d, const double *given, const gs_rows *rows)
+/* the most outputs of sampled devices that are on their way at a time in any row; given: the
+ * parameters (npar) of all */
+static int
+most_pending (const gs_description *d, const double *given, const gs_rows *rows)
 {
   const int n = d->scene->nctl;
   int most = 0;
@@ -48,6 +50,8 @@ gs_most_pending (const gs_description *d, const double *given, const gs_rows *ro
     par[k] = (gs_real)given[k];
   for (int k = 0; par && seconds && k < rows->n; k++)
     {
+      if (rows->broken && rows->broken[k])
+        continue;
       const int own = pending_of_row (d, rows, k, par, par + d->npar, par + d->npar + d->ncst,
                                       seconds);
       most = own > most ? own : most;
@@ -58,12 +62,12 @@ gs_most_pending (const gs_description *d, const double *given, const gs_rows *ro
 }
 
 int
-gs_run_rows (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
-             const gs_run_inputs *in, const gs_rows *rows, int threads, gs_results *results,
-             void (*progress) (void *asked, int done), gs_run_result *r)
+gs_take_rows (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
+              const gs_run_inputs *in, const gs_rows *rows, int threads, gs_take_member *take,
+              void *to, void (*progress) (void *asked, int done), gs_run_result *r)
 {
   gs_whole_run w = { .d = d, .o = o, .s = s, .in = in, .r = r,
-                     .pending = gs_most_pending (d, s->par, rows) };
+                     .pending = most_pending (d, s->par, rows) };
   if (in->kind == 3 && in->function)
     {
       memset (r, 0, sizeof *r);
@@ -81,13 +85,22 @@ gs_run_rows (const gs_description *d, const gs_run_options *o, const gs_run_star
       };
       gs_rows all = *rows;
       all.par = par;
-      r->info = par ? gs_run_ensemble (&e, &all, threads, gs_keep_member, results, progress)
-                    : GS_OUT_OF_MEMORY;
-      results->in_lanes = gs_ensemble_in_lanes (&e);
-      if (results->no_memory)
-        r->info = GS_OUT_OF_MEMORY;
+      r->info = par ? gs_run_ensemble (&e, &all, threads, take, to, progress) : GS_OUT_OF_MEMORY;
+      r->in_lanes = gs_ensemble_in_lanes (&e);
       free (par);
     }
   gs_forget_run (&w);
   return r->refused || r->info != GS_DONE;
+}
+
+int
+gs_run_rows (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
+             const gs_run_inputs *in, const gs_rows *rows, int threads, gs_results *results,
+             void (*progress) (void *asked, int done), gs_run_result *r)
+{
+  const int failed = gs_take_rows (d, o, s, in, rows, threads, gs_keep_member, results, progress,
+                                   r);
+  if (results->no_memory)
+    r->info = GS_OUT_OF_MEMORY;
+  return failed || results->no_memory;
 }

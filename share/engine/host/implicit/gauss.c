@@ -350,6 +350,6 @@ int
 gs_gauss (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0, 1 };
+    = { open_, close_, begin, restart, step, again, between, 0, rejected, count, 0, 0, 1 };
   return gs_implicit_run (scene, run, options, &collocation);
 }

@@ -23,6 +23,9 @@ typedef struct
   int (*step) (gs_stepper *);              /* to STOP at most: T, Y, H, NEXT */
   int (*again) (gs_stepper *);             /* instead of the last step one from T to STOP at most */
   int (*between) (gs_stepper *, double t, double *x);   /* the state within the last step */
+  /* X at T within the last step, onto the constraints as its end; 0, or the projection has to do
+     the rest. May be a null pointer */
+  int (*onto) (gs_stepper *, double t, double *x);
   int (*rejected) (gs_stepper *);         /* steps that failed the test of their error */
   void (*count) (gs_stepper *);            /* its statistics into ISTAT, then from zero */
   int dense;                           /* is the state within a step as accurate as its end? */

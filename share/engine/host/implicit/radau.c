@@ -30,6 +30,7 @@ typedef struct
   double complex *lus, *y, *ordered_y;
   int *pivots;
   double factored;                                  /* the step of the factors, 0: there are none */
+  double shift;                                     /* the real ones are those of SHIFT*I - J */
   double theta, contraction;                        /* of the last turns of Newton's method */
   int of_time, turns, past_stages;
   int settles;                                      /* are the constraints known where J is of? */
@@ -124,6 +125,7 @@ factorize (radau *w, double h)
   if (fabs (h - w->factored) <= 1e-9 * h)
     return 0;
   w->factored = h;
+  w->shift = w->rule->root / h;
   for (int k = 0; info == 0 && k <= w->rule->pairs; k++)
     info = factors (w, h, k);
   if (info == SMALL_PIVOT)   /* once in a run: all in one dense matrix */
@@ -472,20 +474,19 @@ diverged (gs_stepper *s, double h, double by, int outcome)
   return again (s, h, by, outcome == SLOW);
 }
 
-/* X1, of the step H to T, along what the scene does under forces of its constraints; as
-   gs_settle */
+/* X at T along what the scene does under forces of its constraints; as gs_settle */
 static int
-settle (gs_stepper *s, double h, double t)
+settle (gs_stepper *s, double t, double *x)
 {
   radau *w = s->memory;
   double *end = w->error;
-  gs_factors by = { .shift = w->rule->root / h, .solve = solve_own, .of = w };
+  gs_factors by = { .shift = w->shift, .solve = solve_own, .of = w };
   if (! w->settles || gs_completes (s))
     return -1;
-  gs_copy (w->n, w->x1, end);
+  gs_copy (w->n, x, end);
   int left = gs_settle (s, w->loops, &by, w->scale, t, end);
   if (left >= 0)
-    gs_copy (w->n, end, w->x1);
+    gs_copy (w->n, end, x);
   return left;
 }
 
@@ -497,7 +498,7 @@ end_of_step (gs_stepper *s, double h, double to)
   double *end = w->error, t = to < HUGE_VAL ? to : s->t + h;
   for (int l = 0; l < w->n; l++)
     w->x1[l] = s->x[l] + w->z[l + w->n * (w->stages - 1)];
-  if (! gs_projects (s) || settle (s, h, t) == 0)
+  if (! gs_projects (s) || settle (s, t, w->x1) == 0)
     return 0;
   int info = gs_moved (s, t, w->x1, end);
   gs_copy (w->n, end, w->x1);
@@ -685,6 +686,6 @@ int
 gs_radau (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1, 0 };
+    = { open_, close_, begin, restart, step, again_, between, settle, rejected, count, 0, 1, 0 };
   return gs_implicit_run (scene, run, options, &collocation);
 }

@@ -28,13 +28,16 @@ make_room (gs_whole_run *w)
   const size_t x = many (r->nx, r->nt), v = many (r->ldv, r->nt), y = many (s->ny, r->nt);
   const size_t nx = many (r->nx, 1), nt = many (r->nt, 1), cst = many (w->d->ncst, 1);
   const size_t numbers = x + v + y + 2 * nx + nt + cst;
-  const size_t dv = w->o->ncolumns > 0 ? 2 * ((v * (size_t)w->o->ncolumns + 1) / 2) : 0;
+  const size_t nc = (size_t)w->o->ncolumns, slopes = 2 * (((v + y) * nc + 1) / 2);
   const size_t wholes = many (GS_ON_SPEEDS + 1 + w->d->nspeedrows, 1);
-  r->room = calloc (1, dv * sizeof (double) + numbers * sizeof (gs_real) + wholes * sizeof (int));
+  r->room = calloc (1, slopes * sizeof (double) + numbers * sizeof (gs_real)
+                         + wholes * sizeof (int));
   if (! r->room)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the run");
-  r->dv = r->room;   /* an even number of them: those of quad precision stand behind */
-  r->x = (gs_real *)(r->dv + dv);
+  double *first = r->room;   /* an even number of them: those of quad precision stand behind */
+  r->dv = nc > 0 ? first : NULL;
+  r->dy = nc > 0 ? first + v * nc : NULL;
+  r->x = (gs_real *)(first + slopes);
   r->v = r->x + x;
   r->y = r->v + v;
   r->atol = w->atol = r->y + y;
@@ -195,15 +198,15 @@ outputs (const gs_whole_run *w)
     }
 }
 
-/* derivatives of inputs that are not held */
+/* of the columns, which may end the run by another info */
 static void
-slopes_of_inputs (const gs_whole_run *w)
+derivatives (gs_whole_run *w)
 {
-  gs_run_result *r = w->r;
-  if (! r->derivatives || ! gs_derivatives_followed (r->derivatives))
-    r->dv = NULL;
-  else
-    gs_derivatives_of_inputs (r->derivatives, r->rows, r->times, r->x, r->nx, r->v, r->ldv, r->dv);
+  int info = gs_look_at_turns (w);
+  if (info == 0)
+    info = gs_take_slopes (w);
+  if (info != 0)
+    w->r->info = info;
 }
 
 /* does a given mode contradict the state, the last one of the run? Then it is refused */
@@ -278,15 +281,14 @@ gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
       if (strcmp (r->method, "auto") == 0)
         r->method = r->istat[GS_IS_STIFF] ? "radau" : "dp853";
       end_by_event (&w);
+      if (r->derivatives)
+        derivatives (&w);
       if (r->info == GS_DONE || r->info == GS_ENDED)
         r->info = GS_DONE;
       else if (! refuse_mode (&w))
         gs_tell_failure (&w);
       if (! r->refused)
-        {
-          outputs (&w);
-          slopes_of_inputs (&w);
-        }
+        outputs (&w);
     }
   gs_forget_run (&w);
   return r->refused || r->info != GS_DONE;

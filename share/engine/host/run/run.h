@@ -34,6 +34,7 @@ typedef struct
                            in and what passed [J]; 0: none */
   int ncolumns;         /* derivatives that are carried: the run has nx more states for each, */
   const int *columns;   /* ncolumns: by which parameter of rhp (from 1), 0: by a start value, */
+  const char *const *names; /* ncolumns: of these, for messages; may be a null pointer, */
   const double *sizes;  /* ncolumns: nominal magnitudes of these, */
   const gs_real *dx0;   /* (nx,ncolumns): those of the start; a null pointer: 0, */
   const int *fixed;     /* nq: 1 where a coordinate of a closed chain keeps them, the others follow
@@ -95,13 +96,14 @@ typedef struct
   gs_real *atol;        /* nx: as they were used */
   gs_real *times;       /* nt: those of the start; where an event ended the run the last one is its
                            time */
-  gs_real *x;           /* (nx,nt) */
+  gs_real *x;           /* (nx,nt); columns of derivatives are NaN where there are none */
   gs_real *v;           /* (ldv,nt): inputs, from the left */
   gs_real *y;           /* (ny,nt): outputs, NaN where there are none */
   gs_real *cst;         /* ncst: with the parameters of the run, */
   int loop_method;      /* of which the way of the loops needs this one to be so */
-  double *dv;           /* (nv,ncolumns,nt): derivatives of the inputs where these follow a motion,
-                           feedback or a function, else a null pointer */
+  int in_lanes;         /* of many runs: 1: they were in lanes */
+  double *dv, *dy;      /* (nv,ncolumns,nt), (ny,ncolumns,nt): derivatives of inputs and outputs,
+                           NaN where there are none; a null pointer without columns */
   int istat[GS_COUNTED];
   gs_real rstat[GS_MEASURED];
   int *ip;              /* the plan, with records of samples and events: gs_planned_samples, */

@@ -1,7 +1,6 @@
 /* run_integrate.c: a prepared run as gs_integrate takes it, by its method; why it failed. */
 #include <string.h>
 
-#include "gsmbp/functions.h"
 #include "host/failure.h"
 #include "host/run/run_parts.h"
 
@@ -47,14 +46,12 @@ gs_tell_failure (gs_whole_run *w)
 {
   gs_run_result *r = w->r;
   const int k = r->istat[GS_N_OUTPUTS];
-  const double t = (double)r->rstat[GS_T_REACHED];
-  const gs_failed_run failed = { w->d, r->info, r->istat, t, w->said };
+  gs_failed_run failed = { .d = w->d, .info = r->info, .istat = r->istat, .said = w->said,
+                           .t = (double)r->rstat[GS_T_REACHED], .cst = r->cst, .par = w->s->par };
+  if (k < r->nt)
+    {
+      failed.x = r->x + (size_t)r->nx * (size_t)k;
+      failed.v = r->v + (size_t)r->ldv * (size_t)k;
+    }
   gs_failure (&failed, r->text, (int)sizeof r->text);
-  if (k >= r->nt)
-    return;
-  const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
-  const int said = (int)strlen (r->text);
-  if (gs_not_finite (w->d->scene->nx, x) == 0 && gs_not_finite (w->d->scene->nv, v) == 0)
-    gs_outside_text (w->d, r->rstat[GS_T_REACHED], x, v, r->cst, w->s->par, r->text + said,
-                     (int)sizeof r->text - said);
 }

@@ -56,6 +56,11 @@ gs_real gs_wanted_loop_method (const gs_whole_run *w);
 /* the scene with columns of derivatives, r->derivatives; those of w->x0 onto the constraints */
 int gs_open_columns (gs_whole_run *w);
 
+/* after the run: events that it just misses end the derivatives; those of inputs and outputs. Info
+ * of the run, where that is another now */
+int gs_look_at_turns (gs_whole_run *w);
+int gs_take_slopes (gs_whole_run *w);
+
 /* all of these, room, r->ip, r->rp */
 int gs_prepare_run (gs_whole_run *w);
 void gs_forget_run (gs_whole_run *w);
