@@ -9,8 +9,7 @@ from . import _inverse, _run
 from ._design import of_values
 from ._design_slopes import (ACTUATED, fields_of, of_inverse, of_positions, parameters_by, PLANNED)
 from ._design_structures import differences, weights
-from ._derivatives import KNOWN
-from ._grazing import CHANGES, EVENTS
+from ._derivatives import CHANGES, EVENTS, KNOWN
 from ._library import Error, NAME, ROUTINES, SIZES, TABLE
 from ._motion import Piecewise, as_piecewise
 
