@@ -66,7 +66,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "backward", do_backward },
         { "linear", do_linear }, { "trim", do_trim },
         { "tangent", do_tangent }, { "modes", do_modes },
-         { "loop slopes", do_loop_slopes },
+         { "loop slopes", do_loop_slopes }, { "close", do_close },
          { "axes", do_axes }, { "choose", do_choose }, { "free", do_free },
          { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
          { "energies", do_energies },

@@ -205,6 +205,25 @@ def four_bar():
             m.optimize, ('xa', 0.1, (0, 1)), ('end', 'py'), None, ('positions', 'q2', [1.0]))
 
 
+def branches():
+    """The crank at rest at places all around, from the guess of the scene: the rocker is on the
+    branch of the guess, by the law of cosines, and has not turned."""
+    m, turns = design_fourbar.Model(), np.linspace(-3, 3, 25)
+    p, worst = m.parameters, 0.0
+    for q in turns:
+        motion = design_fourbar.plan('quintic', [q, q], [0, 1])
+        found = m.inverse(motion, [0.0]).q[2, 0]
+        bx, by = p['a'] * math.cos(q) - p['dx'], p['a'] * math.sin(q) - p['dy']
+        d = math.hypot(bx, by)
+        opened = math.acos((p['c'] ** 2 + d ** 2 - p['b'] ** 2) / (2 * p['c'] * d))
+        worst = max(worst, abs(found - (math.atan2(by, bx) % (2 * math.pi) - opened)))
+    close('inverse from a guess far away stays on its branch', worst, 0, 1e-12)
+    r = m.optimize(('own', 1, {1}), None, None,
+                   ('positions', 'q1', turns[::-1, None], {'name': 'back'}))
+    close('positions in any order too', r.results['back'].x[2, 0], m.inverse(
+        design_fourbar.plan('quintic', [3, 3], [0, 1]), [0.0]).q[2, 0], 1e-12)
+
+
 def functions():
     """The least of (a - 1)^2 + (b - 2)^2 on a + b = 1: (0, 1), price of the equation -2."""
     rows = [('a', 0.5, (-5, 5)), ('b', 0.5, (-5, 5))]
@@ -345,6 +364,7 @@ if __name__ == '__main__':
     least_effort()
     motions()
     four_bar()
+    branches()
     functions()
     events()
     refusals()

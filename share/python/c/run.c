@@ -1,9 +1,10 @@
-/* run.c: runs and gs_follow_motion for the module, their arguments one by one. */
+/* run.c: runs, gs_follow_motion and gs_close_along for the module, their arguments one by one. */
 #include <time.h>
 
 #include "gsmbp/limits.h"
 #include "gsmbp/options.h"
 #include "gsmbp/refusals.h"
+#include "host/close_along.h"
 #include "host/run/run.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
@@ -109,4 +110,12 @@ gs_loop_follow (const gs_scene *s, double t, int side, int r, int na, const int 
                 double *w)
 {
   return gs_follow_motion (s, t, side, r, na, ipl, np, k, brk, coef, cst, qj, w);
+}
+
+/* coordinates q of a closed chain with the planned ones at target, see gs_close_along */
+int
+gs_loop_close (const gs_scene *s, double t, int r, int na, const int *ipl, const double *target,
+               const double *cst, double *q, double *done, double *w)
+{
+  return gs_close_along (s, t, r, na, ipl, target, cst, q, done, w);
 }

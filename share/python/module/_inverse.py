@@ -60,10 +60,13 @@ class _Follower:
         self.qj[:, 0] = guess
         self.w = np.zeros(len(planned) * (self.order + 1) + 2 * SIZES['nu'] + 2)
         self.flat = poly.flat()
+        self.began = False
 
     def __call__(self, t, side):
         if not self.closed:
             return np.stack(self.poly.derivatives(t, range(self.order + 1), side), axis=1)
+        if not self.began:
+            self._close(t, side)
         pieces, order = self.poly.coefficients.shape[1:]
         number = ctypes.c_int
         info = LIBRARY.gs_loop_follow(
@@ -74,6 +77,24 @@ class _Follower:
             raise Error('%s: the loop cannot follow the motion at t = %.9g s: %s' % (
                 self.who, t, _run.meaning('clo', info)), info)
         return self.qj.copy(order='F')
+
+    def _close(self, t, side):
+        """The first place: on the branch of the guess, along the straight way from it."""
+        q, done = self.qj[:, 0].copy(), np.zeros(1)
+        start = q[self.planned - 1]
+        target = np.ascontiguousarray(self.poly.derivatives(t, range(1), side)[0])
+        n, nu = len(self.planned), SIZES['nu']
+        number = ctypes.c_int
+        info = LIBRARY.gs_loop_close(
+            SCENE, ctypes.c_double(t), number(self.order), number(n), at(self.planned), at(target),
+            at(self.model.cst), at(q), at(done), at(np.zeros(nu * (self.order + 5) + 2 * n)))
+        if info != 0:
+            raise Error(
+                '%s: the loop cannot follow the motion at t = %.9g s: it does not close at %s (%s)'
+                % (self.who, t, ' '.join('%.6g' % x for x in start + done * (target - start)),
+                   _run.meaning('clo', info)), info)
+        self.qj[:, 0] = q
+        self.began = True
 
 
 def _carried(who, model, poly, planned, guess, times, devices):
