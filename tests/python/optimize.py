@@ -257,6 +257,26 @@ def functions():
     close('a function of results', r.values['d'], q.values['d'], 1e-4)
 
 
+def met():
+    """Demands that a first solver does not meet: 5/k < 0.05 from k = 100 on, 1/(1 + k^2)."""
+    k = ('k', 40, (1, 500))
+    for f, bound in ((lambda p: 5 / p['k'], 0.05), (lambda p: 1 / (1 + p['k']**2), 1e-4)):
+        r = quiet(LAMP.optimize, k, None, (f, '<', bound))
+        holds('a demand that can be met, by k = %g' % r.values['k'], (
+            r.info == 0 and f(r.values) <= bound and r.starts[0]['solved']))
+        r = quiet(LAMP.optimize, k, lambda p: p['k'], (f, '<', bound))
+        close('... with nothing to spare', f(r.values) / bound, 1, 1e-6)
+    seen = []
+
+    def goal(p):
+        seen.append(p['a'])
+        return p['a']
+    LAMP.optimize(('a', 2, (0, 5)), goal, solver='ipopt')
+    holds('no value beyond a bound is tried: %g' % min(seen), min(seen) == 0)
+    r = LAMP.optimize(('a', 2, (1, math.inf)), lambda p: (p['a'] - 3)**2)
+    holds('no infinite bound is active', r.active == [])
+
+
 def events():
     """A ball thrown back at 0.1 m by e: 0.4 m at 1 s; the top by the end of a run: v/g."""
     m = sensitivity_bounce.Model()
@@ -298,6 +318,10 @@ def refusals():
             (k, ('peak', 'q'), ('value', 'k', '=', 9), still, {'solver': 'mma'},
              'mma takes no equations'),
             (k, ('peak', 'error.q'), None, still, {}, 'option target'),
+            (('d', 2, (0.1, 20)), ('settling', 'q'), None, ('run', TIMES, [0, 1]), {},
+             'settling q: its band is a share of the first value'),
+            (k, None, ('settling', 'q', '<', 1), ('rest', [0, 0], [0]), {},
+             'settling q < 1: expected a case of several times, found one'),
             (k, ('mass', 'arms'), None, None, {}, "unknown link 'arms'; did you mean arm"),
             (k, lambda p: 'a', None, None, {}, 'expected finite numbers'),
             (k, lambda p: [1, 2], None, None, {}, 'expected one number; found 2'),
@@ -366,6 +390,7 @@ if __name__ == '__main__':
     four_bar()
     branches()
     functions()
+    met()
     events()
     refusals()
     ended_from_outside()

@@ -207,6 +207,29 @@ leave_out (gs_narrowed *q, int k, int *least, int *many, double *z, double *best
   return bad;
 }
 
+int
+gs_meet_demands (gs_narrowed *q, double *z, int *met)
+{
+  const int all = q->w->d->ndemands;
+  gs_room room = { NULL, 0 };
+  double *best = gs_room_numbers (&room, all), before = INFINITY;
+  int *demands = gs_room_places (&room, all), bad = ! best || ! demands;
+  *met = 0;
+  for (int k = 0; ! bad && k < all; k++)
+    demands[k] = k;
+  while (! bad && ! *met)
+    {
+      bad = relax (q, demands, all, z, best);
+      const double most = largest (all, best);
+      *met = ! bad && most <= missed;
+      if (! (most < before / 2))
+        break;
+      before = most;
+    }
+  gs_room_free (&room);
+  return bad;
+}
+
 static void
 put_bounds (const gs_narrowed *q, const double *z, gs_writer *t)
 {
@@ -214,7 +237,7 @@ put_bounds (const gs_narrowed *q, const double *z, gs_writer *t)
     for (int up = 0; up < 2; up++)
       {
         const double bound = up ? q->high[j] : q->low[j];
-        if (! (fabs (z[j] - bound) <= 1e-6 * fmax (1, fabs (bound))))
+        if (! isfinite (bound) || ! (fabs (z[j] - bound) <= 1e-6 * fmax (1, fabs (bound))))
           continue;
         gs_put (t, "%s%s %s %g", t->length ? ", " : "", q->w->d->free[q->at[j]].name,
                 up ? "<=" : ">=", bound * q->scale[j]);
@@ -240,7 +263,6 @@ gs_find_conflict (gs_search_design *w, gs_best *b, int *least, double *z, gs_wri
     for (int k = all - 1; k >= 0 && ! bad && many > 1; k--)
       if ((first[k] > missed) == (pass == 1))
         bad = leave_out (q, k, least, &many, z, best);
-  bad = bad || relax (q, least, many, z, best);
   if (! bad)
     put_bounds (q, z, bounds);
   gs_room_free (&room);

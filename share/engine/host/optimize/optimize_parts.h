@@ -142,6 +142,10 @@ int gs_price (gs_best *b, const double *low, const double *high);
 /* all combinations of choices */
 int gs_try_choices (gs_search_design *w, gs_best *best, gs_design_result *r);
 
+/* from z to values that meet all demands, met: where they were found; q serves for nothing else
+ * then; 1: w->failed reports why */
+int gs_meet_demands (gs_narrowed *q, double *z, int *met);
+
 /* a least set of demands that contradict each other, their numbers; values that miss them by least;
  * bounds: of the variables there, in words */
 int gs_find_conflict (gs_search_design *w, gs_best *b, int *least, double *near, gs_writer *bounds);

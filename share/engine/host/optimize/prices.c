@@ -163,7 +163,7 @@ add_bounds (active_list *l, const double *low, const double *high)
     for (int up = 0; up < 2; up++)
       {
         const double bound = up ? high[j] : low[j];
-        if (! (fabs (z[j] - bound) <= near * fmax (1, fabs (bound))))
+        if (! isfinite (bound) || ! (fabs (z[j] - bound) <= near * fmax (1, fabs (bound))))
           continue;
         active *a = add (l);
         if (! a)

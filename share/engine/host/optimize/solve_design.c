@@ -55,6 +55,12 @@ gs_best_free (gs_best *b)
   *b = (gs_best){ .p = NULL };
 }
 
+/* of choices, where all variables begin: as gs_narrow takes them */
+typedef struct
+{
+  const double *low, *high, *start;
+} range;
+
 /* ------------------------------------------------------------------------- one start */
 
 /* each unknown above a peak begins above all its values, which are its size */
@@ -107,6 +113,34 @@ refuse_idle (const gs_narrowed *q)
   return 0;
 }
 
+/* settling needs times and a first value, beside which its band is */
+static int
+refuse_settling (const gs_narrowed *q)
+{
+  gs_search_design *w = q->w;
+  const gs_design *d = w->d;
+  const gs_series *s = w->v.series;
+  for (int i = 0; i < d->ngoal + d->ndemands; i++)
+    for (int k = 0; k < (d->rows[i].word < GS_WORD_value ? d->rows[i].ncases : 1); k++, s++)
+      {
+        double most = 0;
+        if (d->rows[i].word != GS_WORD_settling)
+          continue;
+        for (int j = 0; j < s->n; j++)
+          most = fmax (most, fabs (s->y[j]));
+        if (s->n > 1 && fabs (s->y[0]) > 1e-12 * most)
+          continue;
+        w->failed = GS_DESIGN_REFUSED;
+        snprintf (w->why, sizeof w->why,
+                  s->n > 1 ? "%s: its band is a share of the first value: expected one other than "
+                             "0 (\"error.q\" beside a target), found 0"
+                           : "%s: expected a case of several times, found one",
+                  d->rows[i].text);
+        return 1;
+      }
+  return 0;
+}
+
 static int
 all_squares (const gs_design *d)
 {
@@ -136,17 +170,21 @@ set_up (gs_narrowed *q, double *z, char *trouble)
   return found;
 }
 
-/* nothing is free: the values there */
+/* the values there, as an end: nothing is free, or no solver gets further */
 static int
 only_values (gs_best *b, const double *z, gs_room *room)
 {
+  const int n = b->q.n + b->q.npeaks;
   gs_narrowed *q = &b->q;
   gs_nlp_end *r = &b->r;
   int chosen = 0;
   for (int i = 0; i < q->w->d->nfree; i++)
     chosen += q->w->d->free[i].nlist > 0;
   *r = (gs_nlp_end){ .iterations = 0, .evaluations = 1, .size_J = 1,
-                     .z = gs_room_numbers (room, 1) };
+                     .z = gs_room_numbers (room, n + 1) };
+  if (! r->z)
+    return gs_search_full (q->w);
+  memcpy (r->z, z, (size_t)n * sizeof *z);
   const int found = gs_assess (q, z, &r->e, r->trouble);
   if (found != GS_VALUES_FOUND)
     return found;
@@ -157,7 +195,9 @@ only_values (gs_best *b, const double *z, gs_room *room)
     r->size_g[i] = fmax (fabs (r->e.g[i]), 1);
   r->violation = gs_point_violation (&r->e, r->size_g);
   snprintf (r->ended, sizeof r->ended, "%s",
-            chosen ? "all is chosen from lists" : "nothing is free");
+            n        ? "the demands are met there"
+            : chosen ? "all is chosen from lists"
+                     : "nothing is free");
   return found;
 }
 
@@ -169,9 +209,9 @@ solver_of (const gs_search_design *w, int solver, int newton)
   return newton || ! w->o->nlopt ? GS_SOLVER_ipopt : GS_SOLVER_slsqp;
 }
 
-/* from the unknowns z to an end; 1: there is none, w->failed says why */
+/* from the unknowns z to an end, or stay: there; 1: there is none, w->failed says why */
 static int
-one (gs_best *b, double *z, int solver)
+one (gs_best *b, double *z, int solver, int stay)
 {
   gs_narrowed *q = &b->q;
   gs_search_design *w = q->w;
@@ -180,12 +220,13 @@ one (gs_best *b, double *z, int solver)
   int found = set_up (q, z, trouble);
   if (found != GS_VALUES_FOUND)
     return gs_search_failed (w, found, trouble, "before the first values were there");
-  if (refuse_idle (q))
+  if (refuse_idle (q) || refuse_settling (q))
     return 1;
   const gs_small_program p = { n, newton, z, q->low, q->high, q, gs_assess };
-  found = n ? gs_solve_small (w, &p, solver_of (w, solver, newton), w->o, &b->room, &b->r)
-            : only_values (b, z, &b->room);
-  b->r.solver = solver_of (w, solver, newton);
+  solver = solver_of (w, solver, newton);
+  found = n && ! stay ? gs_solve_small (w, &p, solver, w->o, &b->room, &b->r)
+                      : only_values (b, z, &b->room);
+  b->r.solver = solver;
   b->p = gs_room_numbers (&b->room, w->d->nfree);
   if (found != GS_VALUES_FOUND || ! b->p)
     return gs_search_failed (w, found, b->r.trouble, "before the first values were there");
@@ -196,6 +237,51 @@ one (gs_best *b, double *z, int solver)
   b->solved = b->r.violation <= GS_FEASIBLE && ! b->r.limit
               && (b->optimality <= 1e-4 || w->d->ngoal == 0);
   return 0;
+}
+
+/* the unknowns of start k: the problem's own, then others, within its bounds */
+static void
+start_values (const gs_narrowed *q, int k, double *z)
+{
+  const int n = q->w->d->nfree;
+  for (int j = 0; j < q->n; j++)
+    z[j] = k == 0 ? q->start[j]
+                  : fmax (fmin (q->w->o->starts[n * (k - 1) + q->at[j]] / q->scale[j], q->high[j]),
+                          q->low[j]);
+}
+
+/* An end that misses demands which can be met is one from where they are, or there. 1: stopped */
+static int
+meet (gs_best *b, const range *of, int k, int solver)
+{
+  gs_search_design *w = b->q.w;
+  if (b->r.violation <= GS_FEASIBLE || b->r.limit || w->d->ndemands == 0 || b->q.n == 0)
+    return 0;
+  int bad = 0, met = 1;
+  for (int stay = 0; stay < 2 && met && ! bad && b->r.violation > GS_FEASIBLE; stay++)
+    {
+      gs_best there = { .p = NULL };
+      bad = gs_narrow (w, of->low, of->high, of->start, &there.room, &there.q);
+      double *z = bad ? NULL : gs_room_numbers (&there.room, there.q.n + there.q.npeaks);
+      gs_narrowed search;
+      bad = ! z || gs_narrow (w, of->low, of->high, of->start, &there.room, &search);
+      if (! bad)
+        {
+          start_values (&there.q, k, z);
+          bad = gs_meet_demands (&search, z, &met);
+        }
+      if (! bad && met && ! one (&there, z, solver, stay) && gs_better (&there, b))
+        {
+          const gs_best old = *b;
+          there.r.evaluations += old.r.evaluations;
+          *b = there;
+          there = old;
+        }
+      gs_best_free (&there);
+    }
+  bad = w->failed == GS_DESIGN_STOPPED || w->room.full;
+  w->failed = bad ? w->failed : 0;
+  return bad;
 }
 
 /* ------------------------------------------------------------------------- several starts */
@@ -236,17 +322,6 @@ cut_short (gs_best *b, int stopped)
   b->solved = 0;
 }
 
-/* the unknowns of start k: the problem's own, then others, within its bounds */
-static void
-start_values (const gs_narrowed *q, int k, double *z)
-{
-  const int n = q->w->d->nfree;
-  for (int j = 0; j < q->n; j++)
-    z[j] = k == 0 ? q->start[j]
-                  : fmax (fmin (q->w->o->starts[n * (k - 1) + q->at[j]] / q->scale[j], q->high[j]),
-                          q->low[j]);
-}
-
 /* what becomes of start k; 1: it is the last one */
 static int
 take_start (gs_search_design *w, gs_best *here, int bad, int k, gs_best *best, gs_design_result *r)
@@ -283,6 +358,7 @@ gs_solve_design (gs_search_design *w, const double *low, const double *high, con
                  int solver, gs_best *best, gs_design_result *r, int told)
 {
   const int before = r->nends;
+  const range of = { low, high, start };
   *best = (gs_best){ .p = NULL };
   w->failed = 0;
   for (int k = 0; k <= w->o->nstarts && ! w->room.full; k++)
@@ -298,7 +374,7 @@ gs_solve_design (gs_search_design *w, const double *low, const double *high, con
       if (! z)
         break;
       start_values (&here.q, k, z);
-      bad = one (&here, z, solver);
+      bad = one (&here, z, solver, 0) || meet (&here, &of, k, solver);
       const int last = take_start (w, &here, bad, k, best, r);
       gs_best_free (&here);
       if (last)

@@ -13,7 +13,7 @@ typedef struct
   gs_search_design *w;
   const gs_small_program *p;
   gs_point e, best;
-  double *z, *at, *sizes, miss, *size_g, size_J;
+  double *z, *at, *inside, *sizes, miss, *size_g, size_J;
   int m, count, stopped, has_best;
   char trouble[800];
 } memory;
@@ -94,7 +94,9 @@ evaluate (void *data, int part, const double *z, double factor, const double *la
   memory *k = data;
   const gs_point *e = &k->e;
   (void)lambda;
-  if (! move (k, z, 0))
+  for (int j = 0; j < k->p->n; j++) /* solvers step over bounds by rounding */
+    k->inside[j] = fmin (fmax (z[j], k->p->low[j]), k->p->high[j]);
+  if (! move (k, k->inside, 0))
     return 0;
   switch (part)
     {
@@ -286,8 +288,9 @@ int
 gs_solve_small (gs_search_design *w, const gs_small_program *p, int solver,
                 const gs_design_options *o, gs_room *room, gs_nlp_end *r)
 {
-  double *numbers = gs_room_numbers (room, 3 * p->n);
-  memory k = { .w = w, .p = p, .z = numbers, .at = numbers + p->n };
+  double *numbers = gs_room_numbers (room, 4 * p->n);
+  memory k = { .w = w, .p = p, .z = numbers, .at = numbers + p->n,
+               .inside = numbers + 3 * p->n };
   *r = (gs_nlp_end){ .n = p->n, .solver = solver, .z = numbers + 2 * p->n };
   int found = GS_VALUES_FAILED;
   if (! numbers)

@@ -141,6 +141,7 @@ gs_difference_points (const gs_free *v, double at, double *points, double *facto
   for (int k = 0; k < (inside ? 4 : 5); k++)
     {
       points[k] = at + h * (! inside ? k : k < 2 ? 2 - k : 1 - k);
+      points[k] = fmax (fmin (points[k], v->high), v->low);
       factors[k] = (inside ? middle : one_sided)[k] / (12 * h);
     }
   return inside ? 4 : 5;
