@@ -255,8 +255,8 @@ do_loop_slopes (arguments& a, int)
   return ovl (x, e, bad == 2);
 }
 
-// (constants, time, order of CLO, guess of the coordinates, planned ones, their values): coordinates
-// on the branch of the guess, INFO, the part of the way that was tried last
+// (constants, time, order of CLO, guess of the coordinates, planned ones, their values):
+// coordinates on the branch of the guess, INFO, the part of the way that was tried last
 static octave_value_list
 do_close (arguments& a, int)
 {
