@@ -4,8 +4,8 @@
 #include "collocation.h"
 #include "host/optimize/optimize.h"
 
-// What gsmbp_optimize is asked for (gs.optimize.engine_problem) as the engine takes it; what a
-// function of Octave gives as the values of a point.
+// What gsmbp_optimize is asked for (its engine_problem) as the engine takes it; what a function of
+// Octave gives as the values of a point.
 class octave_design
 {
 public:

@@ -13,12 +13,6 @@ typedef struct
   double *F; /* nfree */
 } filling;
 
-static int
-has_cases (int word)
-{
-  return word < GS_WORD_value;
-}
-
 /* is a goal made small by an unknown above (or below) all its values? */
 static int
 is_above (const gs_design_row *row)
@@ -33,7 +27,7 @@ first_series (const gs_design *d, int row)
 {
   int k = 0;
   for (int i = 0; i < row; i++)
-    k += has_cases (d->rows[i].word) ? d->rows[i].ncases : 1;
+    k += gs_series_of (d->rows + i);
   return k;
 }
 
@@ -45,7 +39,7 @@ demand_range (const gs_design_row *row, double *low, double *high)
   *high = row->relation == '>' ? INFINITY : row->bound;
   if (row->word == GS_WORD_peak && row->relation == '<')
     *low = -row->bound;
-  return ! has_cases (row->word) || row->word == GS_WORD_each
+  return ! gs_has_cases (row->word) || row->word == GS_WORD_each
          || ((row->word == GS_WORD_peak || row->word == GS_WORD_max) && row->relation == '<')
          || (row->word == GS_WORD_min && row->relation == '>');
 }
@@ -111,7 +105,7 @@ count (const gs_narrowed *q)
       const gs_design_row *row = d->rows + at;
       double low, high;
       const int each = demand_range (row, &low, &high);
-      for (int k = 0; k < (has_cases (row->word) ? row->ncases : 1); k++)
+      for (int k = 0; k < gs_series_of (row); k++)
         m += each ? s[first + k].n : 1;
     }
   return m;
@@ -201,10 +195,10 @@ static void
 put_goal (filling *f, const gs_design_row *row, const gs_series *s)
 {
   const gs_narrowed *q = f->q;
-  for (int k = 0; k < (has_cases (row->word) ? row->ncases : 1); k++)
+  for (int k = 0; k < gs_series_of (row); k++)
     {
       double value = s->y[0];
-      if (has_cases (row->word))
+      if (gs_has_cases (row->word))
         measure (f, row, k, s, &value);
       else
         memcpy (f->F, s->slopes, (size_t)q->w->d->nfree * sizeof (double));
@@ -224,7 +218,7 @@ put_demand (filling *f, int number, int as)
   const gs_series *s = f->q->w->v.series + first_series (d, d->ngoal + number);
   double low, high, value = 0;
   const int each = demand_range (row, &low, &high);
-  for (int k = 0; k < (has_cases (row->word) ? row->ncases : 1); k++)
+  for (int k = 0; k < gs_series_of (row); k++)
     if (each)
       put_series (f, s + k, 1, low, high, as);
     else

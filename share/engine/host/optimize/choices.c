@@ -51,20 +51,11 @@ static void
 add_failed (choosing *c, const node *k)
 {
   const gs_design *d = c->w->d;
-  gs_design_end *all = realloc (c->r->ends, ((size_t)c->r->nends + 1) * sizeof *all);
   double *values = gs_room_numbers (&c->w->room, d->nfree);
-  if (all)
-    c->r->ends = all;
-  if (! all || ! values)
-    {
-      gs_search_full (c->w);
-      return;
-    }
-  for (int i = 0, choice = 0; i < d->nfree; i++)
+  for (int i = 0, choice = 0; values && i < d->nfree; i++)
     values[i] = d->free[i].nlist ? d->free[i].list[k->from[choice++]] : d->free[i].start;
-  gs_design_end *e = all + c->r->nends++;
-  *e = (gs_design_end){ .values = values, .J = NAN, .violation = NAN };
-  snprintf (e->ended, sizeof e->ended, "no start: %.380s", c->w->why);
+  if (values)
+    gs_add_end (c->w, c->r, values, NULL);
 }
 
 /* what ended a problem from outside: GS_INTERRUPTED, GS_TIMED_OUT, or 0 */
@@ -435,16 +426,14 @@ gs_try_choices (gs_search_design *w, gs_best *best, gs_design_result *r)
     branch (&c);
   else
     every_one (&c, from);
-  if (! gs_is_end (best) && c.failed && ! r->choices_limit
-      && (! r->choices_stopped || (! r->branched && r->combinations <= 1)))
+  const int failed = ! gs_is_end (best) && c.failed && ! r->choices_limit
+                     && (! r->choices_stopped || (! r->branched && r->combinations <= 1));
+  if (failed)
     {
       w->failed = c.failed;
       memcpy (w->why, c.why, sizeof c.why);
-      gs_best_free (&c.refused);
-      free (c.open);
-      return 1;
     }
-  const int bad = leave (&c);
+  const int bad = failed || leave (&c);
   gs_best_free (&c.refused);
   free (c.open);
   return bad;

@@ -125,7 +125,7 @@ relax_by (elastic *x, int solver, double *z, double *best, gs_room *room)
     {
       found = gs_assess (q, r.z, &x->e, trouble);
       if (found != GS_VALUES_FOUND)
-        gs_search_failed (q->w, found, trouble, "before the first values were there");
+        gs_search_failed (q->w, found, trouble, NULL);
     }
   if (found == GS_VALUES_FOUND)
     {
@@ -151,7 +151,7 @@ relax (gs_narrowed *q, const int *demands, int many, double *z, double *best)
   choose (q, demands, many);
   int found = gs_assess (q, z, &x.e, trouble);
   if (found != GS_VALUES_FOUND)
-    gs_search_failed (q->w, found, trouble, "before the first values were there");
+    gs_search_failed (q->w, found, trouble, NULL);
   else
     x.sizes = gs_room_numbers (&room, x.e.m);
   if (x.sizes)
@@ -172,15 +172,6 @@ relax (gs_narrowed *q, const int *demands, int many, double *z, double *best)
   return found != GS_VALUES_FOUND || ! x.sizes;
 }
 
-static double
-largest (int n, const double *x)
-{
-  double most = 0;
-  for (int i = 0; i < n; i++)
-    most = fmax (most, x[i]);
-  return most;
-}
-
 /* is least without demand k a contradiction? then it is left out */
 static int
 leave_out (gs_narrowed *q, int k, int *least, int *many, double *z, double *best)
@@ -197,7 +188,7 @@ leave_out (gs_narrowed *q, int k, int *least, int *many, double *z, double *best
       memcpy (there, z, (size_t)q->n * sizeof *z);
       bad = relax (q, rest, n, there, best);
     }
-  if (! bad && largest (n, best) > missed)
+  if (! bad && gs_largest (n, best) > missed)
     {
       memcpy (least, rest, (size_t)n * sizeof *rest);
       memcpy (z, there, (size_t)q->n * sizeof *z);
@@ -220,7 +211,7 @@ gs_meet_demands (gs_narrowed *q, double *z, int *met)
   while (! bad && ! *met)
     {
       bad = relax (q, demands, all, z, best);
-      const double most = largest (all, best);
+      const double most = gs_largest (all, best);
       *met = ! bad && most <= missed;
       if (! (most < before / 2))
         break;

@@ -4,12 +4,6 @@
 
 #include "host/optimize/optimize_parts.h"
 
-static double
-within (double x, double low, double high)
-{
-  return fmax (fmin (x, high), low);
-}
-
 /* variable i as the next unknown */
 static void
 add_unknown (gs_narrowed *q, int i, double low, double high, double start)
@@ -21,7 +15,7 @@ add_unknown (gs_narrowed *q, int i, double low, double high, double start)
   q->scale[j] = scale;
   q->low[j] = low / scale;
   q->high[j] = high / scale;
-  q->start[j] = within (start, low, high) / scale;
+  q->start[j] = gs_within (start, low, high) / scale;
 }
 
 static int

@@ -10,7 +10,7 @@ count_series (const gs_design *d)
 {
   int n = 0;
   for (int i = 0; i < d->ngoal + d->ndemands; i++)
-    n += d->rows[i].word < GS_WORD_value ? d->rows[i].ncases : 1;
+    n += gs_series_of (d->rows + i);
   return n;
 }
 

@@ -2,6 +2,8 @@
 #ifndef GSMBP_HOST_OPTIMIZE_PARTS_H
 #define GSMBP_HOST_OPTIMIZE_PARTS_H
 
+#include <math.h>
+
 #include "host/collocation/room.h"
 #include "host/optimize/optimize.h"
 #include "host/text.h"
@@ -14,6 +16,35 @@ gs_swap (double *a, double *b)
   const double kept = *a;
   *a = *b;
   *b = kept;
+}
+
+static inline double
+gs_within (double x, double low, double high)
+{
+  return fmax (fmin (x, high), low);
+}
+
+/* the largest modulus of n numbers */
+static inline double
+gs_largest (int n, const double *x)
+{
+  double most = 0;
+  for (int i = 0; i < n; i++)
+    most = fmax (most, fabs (x[i]));
+  return most;
+}
+
+/* is it of a quantity over the times of load cases? how many series a row has */
+static inline int
+gs_has_cases (int word)
+{
+  return word < GS_WORD_value;
+}
+
+static inline int
+gs_series_of (const gs_design_row *row)
+{
+  return gs_has_cases (row->word) ? row->ncases : 1;
 }
 
 /* what differences and solvers take as the size of a variable */
@@ -38,6 +69,8 @@ void gs_point_free (gs_point *e);
 /* the sizes of its numbers, m; by how much the worst one misses its bounds, beside them */
 void gs_point_sizes (const gs_point *e, double *sizes);
 double gs_point_violation (const gs_point *e, const double *sizes);
+/* does anything at it depend on unknown j? */
+int gs_point_moves (const gs_point *e, int j);
 
 /* A measure of a series, of its times as times has them: f, its derivatives F by n variables; band:
  * of the settling time. Word each has none. */
@@ -121,7 +154,8 @@ gs_search_full (gs_search_design *w)
 
 /* what ended a search from outside, in words */
 const char *gs_stopped_text (int stopped);
-/* what is to be said of GS_VALUES_INTERRUPTED, ..., into why and failed; 1 */
+/* what is to be said of GS_VALUES_INTERRUPTED, ..., into why and failed; when: null: before the
+ * first values were there; 1 */
 int gs_search_failed (gs_search_design *w, int values, const char *trouble, const char *when);
 
 /* the problem where choice k is between low and high; start: of all variables (null: their own) */
@@ -132,6 +166,8 @@ int gs_narrow (gs_search_design *w, const double *low, const double *high, const
 int gs_solve_design (gs_search_design *w, const double *low, const double *high,
                      const double *start, int solver, gs_best *best, gs_design_result *r, int told);
 void gs_best_free (gs_best *b);
+/* one more of the list of ends: b, or a null pointer: what has failed from the values p on */
+void gs_add_end (gs_search_design *w, gs_design_result *r, const double *p, const gs_best *b);
 /* is a to be preferred? b may have no end */
 int gs_better (const gs_best *a, const gs_best *b);
 int gs_is_end (const gs_best *b);

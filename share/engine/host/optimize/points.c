@@ -78,3 +78,12 @@ gs_point_violation (const gs_point *e, const double *sizes)
     most = fmax (most, fmax (e->low[i] - e->g[i], e->g[i] - e->high[i]) / sizes[i]);
   return most;
 }
+
+int
+gs_point_moves (const gs_point *e, int j)
+{
+  int moves = e->gJ[j] != 0;
+  for (int i = 0; i < e->m; i++)
+    moves = moves || e->a[i + e->m * j] != 0;
+  return moves;
+}

@@ -215,15 +215,6 @@ add_numbers (active_list *l)
 
 /* ----------------------------------------------------------------------------- multipliers */
 
-static double
-largest (int n, const double *x)
-{
-  double most = 0;
-  for (int i = 0; i < n; i++)
-    most = fmax (most, fabs (x[i]));
-  return most;
-}
-
 /* the gradient as a sum of normals, factors >= 0, of equations any; what is left of it */
 static int
 price (active_list *l)
@@ -238,7 +229,7 @@ price (active_list *l)
       double *a = room, *x = a + n * m, *work = x + m;
       for (int k = 0; k < l->many; k++)
         {
-          const double length = largest (n, l->all[k].normal);
+          const double length = gs_largest (n, l->all[k].normal);
           for (int j = 0; j < n && length > 0; j++)
             {
               a[j + n * k] = l->all[k].normal[j] / length;
@@ -254,10 +245,10 @@ price (active_list *l)
             rest -= a[j + n * k] * x[k];
           left = fmax (left, fabs (rest));
         }
-      l->b->optimality = left / fmax (r->size_J, largest (n, r->e.gJ));
+      l->b->optimality = left / fmax (r->size_J, gs_largest (n, r->e.gJ));
       for (int k = 0; k < l->many; k++)
         {
-          const double length = largest (n, l->all[k].normal);
+          const double length = gs_largest (n, l->all[k].normal);
           l->all[k].told.multiplier = (x[k] - x[l->many + k]) / (length > 0 ? length : 1);
         }
     }
@@ -300,7 +291,7 @@ gs_price (gs_best *b, const double *low, const double *high)
   add_numbers (&l);
   int bad = b->room.full;
   if (! l.many || n == 0)
-    b->optimality = n ? largest (n, b->r.e.gJ) / b->r.size_J : 0;
+    b->optimality = n ? gs_largest (n, b->r.e.gJ) / b->r.size_J : 0;
   for (int k = 0; k < l.many && n == 0; k++)
     l.all[k].told.multiplier = NAN; /* all is chosen from lists: nothing can give way */
   if (! bad && l.many && n > 0)

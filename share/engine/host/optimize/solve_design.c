@@ -26,7 +26,8 @@ gs_search_failed (gs_search_design *w, int values, const char *trouble, const ch
   const int late = values == GS_VALUES_LATE || gs_wall_clock () >= w->ends;
   w->failed = GS_DESIGN_STOPPED;
   snprintf (w->why, sizeof w->why, "%s %s",
-            gs_stopped_text (late ? GS_TIMED_OUT : GS_INTERRUPTED), when);
+            gs_stopped_text (late ? GS_TIMED_OUT : GS_INTERRUPTED),
+            when ? when : "before the first values were there");
   return 1;
 }
 
@@ -88,12 +89,7 @@ static void
 find_idle (gs_narrowed *q, const gs_point *e)
 {
   for (int j = 0; j < q->n; j++)
-    {
-      int moves = e->gJ[j] != 0;
-      for (int i = 0; i < e->m; i++)
-        moves = moves || e->a[i + e->m * j] != 0;
-      q->idle[q->at[j]] = ! moves;
-    }
+    q->idle[q->at[j]] = ! gs_point_moves (e, j);
 }
 
 /* on which something must depend */
@@ -121,14 +117,10 @@ refuse_settling (const gs_narrowed *q)
   const gs_design *d = w->d;
   const gs_series *s = w->v.series;
   for (int i = 0; i < d->ngoal + d->ndemands; i++)
-    for (int k = 0; k < (d->rows[i].word < GS_WORD_value ? d->rows[i].ncases : 1); k++, s++)
+    for (int k = 0; k < gs_series_of (d->rows + i); k++, s++)
       {
-        double most = 0;
-        if (d->rows[i].word != GS_WORD_settling)
-          continue;
-        for (int j = 0; j < s->n; j++)
-          most = fmax (most, fabs (s->y[j]));
-        if (s->n > 1 && fabs (s->y[0]) > 1e-12 * most)
+        if (d->rows[i].word != GS_WORD_settling
+            || (s->n > 1 && fabs (s->y[0]) > 1e-12 * gs_largest (s->n, s->y)))
           continue;
         w->failed = GS_DESIGN_REFUSED;
         snprintf (w->why, sizeof w->why,
@@ -219,7 +211,7 @@ one (gs_best *b, double *z, int solver, int stay)
   char trouble[800] = "";
   int found = set_up (q, z, trouble);
   if (found != GS_VALUES_FOUND)
-    return gs_search_failed (w, found, trouble, "before the first values were there");
+    return gs_search_failed (w, found, trouble, NULL);
   if (refuse_idle (q) || refuse_settling (q))
     return 1;
   const gs_small_program p = { n, newton, z, q->low, q->high, q, gs_assess };
@@ -229,7 +221,7 @@ one (gs_best *b, double *z, int solver, int stay)
   b->r.solver = solver;
   b->p = gs_room_numbers (&b->room, w->d->nfree);
   if (found != GS_VALUES_FOUND || ! b->p)
-    return gs_search_failed (w, found, b->r.trouble, "before the first values were there");
+    return gs_search_failed (w, found, b->r.trouble, NULL);
   memcpy (b->p, q->p, (size_t)w->d->nfree * sizeof *b->p);
   for (int j = 0; j < q->n; j++)
     b->p[q->at[j]] = b->r.z[j] * q->scale[j];
@@ -246,8 +238,8 @@ start_values (const gs_narrowed *q, int k, double *z)
   const int n = q->w->d->nfree;
   for (int j = 0; j < q->n; j++)
     z[j] = k == 0 ? q->start[j]
-                  : fmax (fmin (q->w->o->starts[n * (k - 1) + q->at[j]] / q->scale[j], q->high[j]),
-                          q->low[j]);
+                  : gs_within (q->w->o->starts[n * (k - 1) + q->at[j]] / q->scale[j], q->low[j],
+                               q->high[j]);
 }
 
 /* An end that misses demands which can be met is one from where they are, or there. 1: stopped */
@@ -286,8 +278,8 @@ meet (gs_best *b, const range *of, int k, int solver)
 
 /* ------------------------------------------------------------------------- several starts */
 
-static void
-add_end (gs_search_design *w, gs_design_result *r, const double *p, const gs_best *b)
+void
+gs_add_end (gs_search_design *w, gs_design_result *r, const double *p, const gs_best *b)
 {
   gs_design_end *all = realloc (r->ends, ((size_t)r->nends + 1) * sizeof *all);
   const int n = w->d->nfree;
@@ -336,11 +328,11 @@ take_start (gs_search_design *w, gs_best *here, int bad, int k, gs_best *best, g
     return 1;
   if (bad)
     {
-      add_end (w, r, here->q.p, NULL);
+      gs_add_end (w, r, here->q.p, NULL);
       w->failed = 0;
       return 0;
     }
-  add_end (w, r, here->p, here);
+  gs_add_end (w, r, here->p, here);
   const int stopped = here->r.stopped;
   if (gs_better (here, best))
     {

@@ -95,7 +95,7 @@ evaluate (void *data, int part, const double *z, double factor, const double *la
   const gs_point *e = &k->e;
   (void)lambda;
   for (int j = 0; j < k->p->n; j++) /* solvers step over bounds by rounding */
-    k->inside[j] = fmin (fmax (z[j], k->p->low[j]), k->p->high[j]);
+    k->inside[j] = gs_within (z[j], k->p->low[j], k->p->high[j]);
   if (! move (k, k->inside, 0))
     return 0;
   switch (part)
@@ -160,7 +160,7 @@ put_places (gs_room *room, gs_nlp *p)
 static double
 clipped (double x)
 {
-  return fmax (fmin (x, 2e19), -2e19);
+  return gs_within (x, -2e19, 2e19);
 }
 
 /* the program as the solvers take it, beside the sizes at its start */
@@ -236,7 +236,7 @@ static int
 take_end (memory *k, gs_nlp_result *s, gs_nlp_end *r)
 {
   for (int j = 0; j < k->p->n; j++)
-    r->z[j] = fmin (fmax (s->x[j], k->p->low[j]), k->p->high[j]);
+    r->z[j] = gs_within (s->x[j], k->p->low[j], k->p->high[j]);
   const int late = s->limit && gs_wall_clock () >= k->w->ends;
   r->limit = s->limit;
   r->iterations = s->iterations;
@@ -265,8 +265,7 @@ solve (memory *k, int solver, const gs_design_options *o, gs_room *room, gs_nlp_
 {
   const int n = k->p->n;
   k->size_J = fmax (fabs (k->e.J), 1e-12);
-  for (int j = 0; j < n; j++)
-    k->size_J = fmax (k->size_J, fabs (k->e.gJ[j]));
+  k->size_J = fmax (k->size_J, gs_largest (n, k->e.gJ));
   r->size_J = k->size_J;
   r->size_g = k->size_g = gs_room_numbers (room, k->m);
   double *numbers = gs_room_numbers (room, 3 * n + 2 * k->m);
@@ -306,7 +305,7 @@ gs_solve_small (gs_search_design *w, const gs_small_program *p, int solver,
     found = solve (&k, solver, o, room, r);
   else
     gs_search_failed (w, k.stopped ? GS_VALUES_INTERRUPTED : GS_VALUES_FAILED, k.trouble,
-                      "before the first values were there");
+                      NULL);
   gs_point_free (&k.e);
   gs_point_free (&k.best);
   return found;

@@ -88,12 +88,7 @@ find_idle (const gs_best *b, gs_design_result *r)
 {
   const gs_point *e = &b->r.e;
   for (int j = 0; j < b->q.n; j++)
-    {
-      int moves = e->gJ[j] != 0;
-      for (int i = 0; i < e->m; i++)
-        moves = moves || e->a[i + e->m * j] != 0;
-      r->idle[b->q.at[j]] = b->q.idle[b->q.at[j]] && ! moves;
-    }
+    r->idle[b->q.at[j]] = b->q.idle[b->q.at[j]] && ! gs_point_moves (e, j);
 }
 
 /* ------------------------------------------------------------------------- the report */

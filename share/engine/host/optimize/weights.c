@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "host/optimize/optimize.h"
 #include "host/optimize/optimize_parts.h"
 
 enum { BAND = 2, WIDTH = 3 * BAND + 1 }; /* with room for what pivots fill in */
@@ -141,7 +140,7 @@ gs_difference_points (const gs_free *v, double at, double *points, double *facto
   for (int k = 0; k < (inside ? 4 : 5); k++)
     {
       points[k] = at + h * (! inside ? k : k < 2 ? 2 - k : 1 - k);
-      points[k] = fmax (fmin (points[k], v->high), v->low);
+      points[k] = gs_within (points[k], v->low, v->high);
       factors[k] = (inside ? middle : one_sided)[k] / (12 * h);
     }
   return inside ? 4 : 5;
