@@ -1,9 +1,9 @@
 /* close_along.c: Newton's method of clo goes to some closure, near or far. A step of the way counts
- * if the dependent coordinates move by the mean of their slopes at both ends, but for a tenth of
- * the larger one: else another branch may have been met, and half the step is tried. */
+ * if gs_motion_follows: else another branch may have been met, and half the step is tried. */
 #include "host/close_along.h"
 #include "gsmbp/arith.h"
 #include "gsmbp/expressions.h"
+#include "gsmbp/inputs.h"
 
 typedef struct
 {
@@ -15,7 +15,7 @@ typedef struct
   gs_real *rows;                    /* (nu,0:r) */
 } chain;
 
-/* the planned entries of column j: start + part*way, or value*way alone where there is no start */
+/* the planned entries of column j: start + part*way, or part*way where start is a null pointer */
 static void
 plan (const chain *c, int j, const gs_real *start, gs_real part)
 {
@@ -23,13 +23,13 @@ plan (const chain *c, int j, const gs_real *start, gs_real part)
     c->rows[c->ipl[i] - 1 + j * c->s->nu] = (start != NULL ? start[i] : 0) + part * c->way[i];
 }
 
-/* the coordinates q closed near a guess at a part of the way, and their slopes along it: their
- * rates less those that they have while the planned ones rest */
+/* the coordinates q (nu,2) closed near a guess (nu) at a part of the way, and their slopes along
+ * it: their rates less those that they have while the planned ones rest */
 static int
-close_at (const chain *c, gs_real part, const gs_real *guess, gs_real *q, gs_real *slope)
+close_at (const chain *c, gs_real part, const gs_real *guess, gs_real *q)
 {
   const int nu = c->s->nu;
-  gs_real res;
+  gs_real res, *const slope = q + nu;
   gs_zero (nu * (c->r + 1), c->rows);
   gs_copy (nu, guess, c->rows);
   plan (c, 0, c->start, part);
@@ -47,39 +47,23 @@ close_at (const chain *c, gs_real part, const gs_real *guess, gs_real *q, gs_rea
   return info;
 }
 
-/* does next follow from q by the slopes at both ends of the step? */
+/* along the rest of the way from *done, where here (nu,2) has the coordinates and their slopes;
+ * next: (nu,2) */
 static int
-follows (int nu, gs_real step, const gs_real *q, const gs_real *slope, const gs_real *next,
-         const gs_real *after)
-{
-  for (int i = 0; i < nu; i++)
-    {
-      const gs_real gap = next[i] - q[i] - GS_R (0.5) * step * (slope[i] + after[i]);
-      const gs_real most = gs_max (gs_abs (slope[i]), gs_abs (after[i]));
-      if (! (gs_abs (gap) <= GS_R (0.1) * step * most + GS_R (1e-6)))
-        return 0;
-    }
-  return 1;
-}
-
-/* along the rest of the way from *done, where the coordinates are q and their slopes `slope` */
-static int
-go_on (const chain *c, gs_real *q, gs_real *slope, gs_real *next, gs_real *done)
+go_on (const chain *c, gs_real *here, gs_real *next, gs_real *done)
 {
   const int nu = c->s->nu;
-  gs_real *const after = next + nu;
   gs_real step = 1, reached = *done;
   while (reached < 1)
     {
       step = gs_min (step, 1 - reached);
       *done = reached + step;
       for (int i = 0; i < nu; i++)
-        next[i] = q[i] + step * slope[i];
-      const int info = close_at (c, *done, next, next, after);
-      if (info == 0 && follows (nu, step, q, slope, next, after))
+        next[i] = here[i] + step * here[nu + i];
+      const int info = close_at (c, *done, next, next);
+      if (info == 0 && gs_motion_follows (nu, step, here, next))
         {
-          gs_copy (nu, next, q);
-          gs_copy (nu, after, slope);
+          gs_copy (2 * nu, next, here);
           reached = *done;
           step *= 2;
         }
@@ -97,10 +81,10 @@ gs_close_along (const gs_scene *s, gs_real t, int r, int na, const int *ipl,
 {
   static const double begins[] = { 0, 1e-3, 1e-2, 0.1, 1 }; /* the guess itself may be singular */
   const int nu = s->nu;
-  gs_real *const start = w, *const way = start + na, *const slope = way + na;
-  gs_real *const next = slope + nu, *const guess = next + 2 * nu;
-  const chain c = { s, t, r, na, ipl, cst, start, way, guess + nu };
-  int moves = 0, info = 0;
+  gs_real *const start = w, *const way = start + na, *const here = way + na;
+  gs_real *const next = here + 2 * nu;
+  const chain c = { s, t, r, na, ipl, cst, start, way, next + 2 * nu };
+  int moves = 0, info = 1;
   for (int i = 0; i < na; i++)
     {
       start[i] = q[ipl[i] - 1];
@@ -110,13 +94,13 @@ gs_close_along (const gs_scene *s, gs_real t, int r, int na, const int *ipl,
   *done = 1;
   if (! moves)
     return 0;
-  gs_copy (nu, q, guess);
-  for (int k = 0; k < 5; k++)
+  for (int k = 0; k < 5 && info != 0; k++)
     {
       *done = (gs_real)begins[k];
-      info = close_at (&c, *done, guess, q, slope);
-      if (info == 0)
-        break;
+      info = close_at (&c, *done, q, here);
     }
-  return info != 0 ? info : go_on (&c, q, slope, next, done);
+  if (info == 0)
+    info = go_on (&c, here, next, done);
+  gs_copy (nu, here, q);
+  return info;
 }

@@ -60,12 +60,11 @@ class _Follower:
         self.qj[:, 0] = guess
         self.w = np.zeros(len(planned) * (self.order + 1) + 2 * SIZES['nu'] + 2)
         self.flat = poly.flat()
-        self.began = False
 
     def __call__(self, t, side):
         if not self.closed:
             return np.stack(self.poly.derivatives(t, range(self.order + 1), side), axis=1)
-        if not self.began:
+        if self.w[1] == 0:   # a guess
             self._close(t, side)
         pieces, order = self.poly.coefficients.shape[1:]
         number = ctypes.c_int
@@ -94,7 +93,6 @@ class _Follower:
                 % (self.who, t, ' '.join('%.6g' % x for x in start + done * (target - start)),
                    _run.meaning('clo', info)), info)
         self.qj[:, 0] = q
-        self.began = True
 
 
 def _carried(who, model, poly, planned, guess, times, devices):

@@ -98,6 +98,10 @@ gs_samples_of (int nv, int *is, gs_real *rs)
 int gs_inputs_of_run (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx,
                       const int *ip, const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w);
 
+/* do coordinates with rates, qj (nu,2), follow from those in old (nu,2), dt before: each moves by
+ * the mean of its rates at both ends, but for a tenth of the larger one and 1e-6? */
+int gs_motion_follows (int nu, gs_real dt, const gs_real *old, const gs_real *qj);
+
 /* planned motion qj (nu,0:r) of a closed chain at t, of which na coordinates, numbers ipl, are
  * planned: the others by clo, on one branch. w: time of qj, 1 or 0 (qj is a guess), na*(r+1) + 2*nu
  * more. info: -i from gs_polynomials_at, what clo returned, 2 if the chain cannot follow */

@@ -10,9 +10,8 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
 
-/* do the coordinates in qj follow from those in old by their rates? */
-static int
-follows (int nu, gs_real dt, const gs_real *old, const gs_real *qj)
+int
+gs_motion_follows (int nu, gs_real dt, const gs_real *old, const gs_real *qj)
 {
   for (int i = 0; i < nu; i++)
     {
@@ -51,7 +50,7 @@ gs_follow_motion (const gs_scene *s, gs_real t, int side, int r, int na, const i
         break;
       info = s->clo (tn, qj, cst, &res);
       const int moves = atend || gs_abs (dt) > 0; /* not a step that rounding made 0 */
-      if (info == 0 && moves && (! (w[1] > 0) || follows (nu, dt, old, qj)))
+      if (info == 0 && moves && (! (w[1] > 0) || gs_motion_follows (nu, dt, old, qj)))
         {
           w[0] = tn;
           w[1] = 1;
