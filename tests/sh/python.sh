@@ -53,12 +53,7 @@ result 'its stubs are Python'
 
 # -- the others are built in place, quickly; one as where SUNDIALS is missing
 echo exit 1 >"$work/folders/run/find_header"
-for folder in "$work"/folders/*; do
-  name=${folder##*/}
-  [ -n "${GSMBP_TIMES:-}" ] || sed -i 's/-O2/-O0/' "$folder/setup.py"
-  (cd "$folder" && $python setup.py -q build_py -d built && mv "built/$name" "$work/$name") \
-    >"$report" 2>&1 || told 1 "$name builds" "$report"
-done
+build_modules
 export PYTHONPATH="$work"
 
 for name in c run; do

@@ -8,19 +8,9 @@ if ! echo '#include "share/engine/host/ipopt/header_ipopt.h"' | gcc -I. -E - >/d
   echo 'ok left out without Ipopt: optimal motions of modules'
   exit 0
 fi
-statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
-for scene in optimal_block optimal_arm optimal_cart optimal_gear optimal_crank case_d1a; do
-  statements="$statements requests : all\$ load(\"$root/tests/scenes/$scene.mac\")\$
-    gsmbp_package(scene, python, requests, directory = \"$work/folders/$scene\")\$ kill(scene)\$"
-done
-share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of six scenes' "$report"
-for folder in "$work"/folders/*; do
-  name=${folder##*/}
-  sed -i 's/-O2/-O0/' "$folder/setup.py"
-  (cd "$folder" && $python setup.py -q build_py -d built && mv "built/$name" "$work/$name") \
-    >"$report" 2>&1 || told 1 "$name builds" "$report"
-done
+python_packages ', requests' optimal_block optimal_arm optimal_cart optimal_gear optimal_crank \
+  case_d1a
+python_modules 'gsmbp_package(scene, python) of six scenes'
 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" \
   --path "$root/tests/python" --eval "collocate (\"$work/octave.json\")" >"$report" 2>&1
 told $? 'collocate.m ends' "$report"

@@ -11,19 +11,8 @@ for name in ipopt nlopt; do
     exit 0
   fi
 done
-statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
-for scene in design_lamp design_fourbar sensitivity_bounce sensitivity_crank; do
-  statements="$statements requests : all\$ load(\"$root/tests/scenes/$scene.mac\")\$
-    gsmbp_package(scene, python, requests, directory = \"$work/folders/$scene\")\$ kill(scene)\$"
-done
-share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of four scenes' "$report"
-for folder in "$work"/folders/*; do
-  name=${folder##*/}
-  sed -i 's/-O2/-O0/' "$folder/setup.py"
-  (cd "$folder" && $python setup.py -q build_py -d built && mv "built/$name" "$work/$name") \
-    >"$report" 2>&1 || told 1 "$name builds" "$report"
-done
+python_packages ', requests' design_lamp design_fourbar sensitivity_bounce sensitivity_crank
+python_modules 'gsmbp_package(scene, python) of four scenes'
 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" \
   --path "$root/tests/python" --eval "optimize (\"$work/octave.json\")" >"$report" 2>&1
 told $? 'optimize.m ends' "$report"

@@ -107,6 +107,41 @@ headers_in_cplusplus() {
   result 'the headers compile as C++'
 }
 
+# python_packages WITH SCENE...: adds to $statements what writes packages of Python of these scenes
+# of tests/scenes into $work/folders; WITH: ', requests' for their requests (all by default)
+python_packages() {
+  with=$1
+  shift
+  : "${statements:=load(\"$PWD/gsmbp/gsmbp.mac\")\$}"
+  for scene; do
+    statements="$statements kill(scene)\$ requests : all\$ load(\"$PWD/tests/scenes/$scene.mac\")\$
+      gsmbp_package(scene, python$with, directory = \"$work/folders/$scene\")\$"
+  done
+}
+# python_modules WHAT: these packages are written, and built as modules in $work
+python_modules() {
+  share/make/maxima "$work/log" "$statements" >"$report" 2>&1
+  told $? "$1" "$report"
+  build_modules
+}
+# build_modules: the folders in $work/folders as modules in $work; quickly, where GSMBP_TIMES does
+# not ask for times
+build_modules() {
+  for folder in "$work"/folders/*; do
+    name=${folder##*/}
+    [ -n "${GSMBP_TIMES:-}" ] || sed -i 's/-O2/-O0/' "$folder/setup.py"
+    (cd "$folder" && /usr/bin/python3 setup.py -q build_py -d built &&
+      mv "built/$name" "$work/$name") >"$report" 2>&1 || told 1 "$name builds" "$report"
+  done
+}
+# stubs_are_python: those of the modules in $work
+stubs_are_python() {
+  for stub in "$work"/*/__init__.pyi; do
+    /usr/bin/python3 -m py_compile "$stub" || echo "$stub"
+  done >"$report" 2>&1
+  result 'their stubs are Python'
+}
+
 # work_folder: a folder $work for the test, gone at its end, and in it the file $report
 work_folder() {
   work=$(mktemp -d) || exit 1
