@@ -48,8 +48,8 @@
 ## @item peak, max, min, each
 ## largest modulus, largest, least; each: at every time
 ## @item settling
-## the time until the modulus stays below "band" times its first value; where it does not by the
-## end of the times a number above all of them, the larger the farther it is outside
+## the time until the modulus stays below "band" times its first value, which is not 0; where it
+## does not by the end of the times a number above all of them, the larger the farther it is outside
 ## @item value
 ## of a free variable or parameter
 ## @item mass

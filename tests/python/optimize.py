@@ -266,6 +266,16 @@ def met():
             r.info == 0 and f(r.values) <= bound and r.starts[0]['solved']))
         r = quiet(LAMP.optimize, k, lambda p: p['k'], (f, '<', bound))
         close('... with nothing to spare', f(r.values) / bound, 1, 1e-6)
+
+    def hills(p):
+        return (1 / (1 + ((p['k'] - 5) / 2)**2) + 2 / (1 + ((p['k'] - 60) / 3)**2)
+                + (p['c'] - 1)**2 / 100)
+    free = [('k', 4, (0.1, 100)), ('c', 0.5, (0.1, 2))]
+    r = quiet(LAMP.optimize, free, None, (hills, '>', 1.9))
+    holds('a demand that is met behind a valley alone, by k = %g' % r.values['k'], (
+        r.info == 0 and hills(r.values) >= 1.9))
+    r = quiet(LAMP.optimize, free, None, [(hills, '>', 1.9), (lambda p: p['k'], '<', 20)])
+    holds('two that are met, but not together', r.info == 2 and len(r.conflict) == 2)
     seen = []
 
     def goal(p):

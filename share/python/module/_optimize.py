@@ -52,9 +52,9 @@ def optimize(self, free, goal=None, demands=None, cases=None, *, solver='auto', 
     cases: rows ("run", times, x0, {options of simulate}), ("inverse", motion, times, {...}),
     ("rest", x, v, {options of trim}), ("positions", names, values, {"guess": q}); more options:
     name, target (a dict: a number, one for each time, a Piecewise or a function of the time), band
-    (0.02, of settling). An argument may be a function of one argument, the values. Derivatives of
-    runs, inverse dynamics and positions are exact in a scene with the request sensitivity, else
-    differences of order 4.
+    (0.02, of settling from a value other than 0). An argument may be a function of one argument,
+    the values. Derivatives of runs, inverse dynamics and positions are exact in a scene with the
+    request sensitivity, else differences of order 4.
 
     solver: "auto", "slsqp", "mma", "cobyla" (NLopt) or "ipopt"; starts: how many places to start
     from, random within the bounds (seed), or a matrix, a row of values for each further start;

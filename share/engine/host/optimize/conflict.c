@@ -13,6 +13,7 @@ typedef struct
 {
   gs_narrowed *q;
   gs_point e;
+  int m; /* its numbers */
   double *sizes;
 } elastic;
 
@@ -73,20 +74,26 @@ loosened (void *of, const double *z, gs_point *e, char *trouble)
   return found;
 }
 
+static double
+sum_of (int n, const double *x)
+{
+  double sum = 0;
+  for (int i = 0; i < n; i++)
+    sum += x[i];
+  return sum;
+}
+
 /* by how much each demand is missed; the sum */
 static double
 miss (const elastic *x, double *s)
 {
   const gs_point *a = &x->e;
-  double sum = 0;
   for (int k = 0; k < x->q->ndemands; k++)
     s[k] = 0;
   for (int i = 0; i < a->m; i++)
     s[a->row[i]] = fmax (s[a->row[i]],
                          fmax (a->low[i] - a->g[i], a->g[i] - a->high[i]) / x->sizes[i]);
-  for (int k = 0; k < x->q->ndemands; k++)
-    sum += s[k];
-  return sum;
+  return sum_of (x->q->ndemands, s);
 }
 
 /* one solver from z; the point that is better takes its place */
@@ -97,7 +104,7 @@ relax_by (elastic *x, int solver, double *z, double *best, gs_room *room)
   const int n = q->n, ns = q->ndemands, all = n + ns;
   gs_design_options o = *q->w->o;
   double *begin = gs_room_numbers (room, 3 * all), *low = begin + all, *high = low + all;
-  double *here = gs_room_numbers (room, ns), sum = 0, sum_here = 0;
+  double *here = gs_room_numbers (room, ns);
   char trouble[800] = "";
   gs_nlp_end r;
   if (! begin || ! here)
@@ -109,7 +116,6 @@ relax_by (elastic *x, int solver, double *z, double *best, gs_room *room)
       begin[j] = j < n ? z[j] : 1.01 * best[j - n] + 1e-3;
       low[j] = j < n ? q->low[j] : 0;
       high[j] = j < n ? q->high[j] : INFINITY;
-      sum += j < n ? 0 : best[j - n];
     }
   const gs_small_program p = { all, 0, begin, low, high, x, loosened };
   int found = gs_solve_small (q->w, &p, solver, &o, room, &r);
@@ -127,49 +133,111 @@ relax_by (elastic *x, int solver, double *z, double *best, gs_room *room)
       if (found != GS_VALUES_FOUND)
         gs_search_failed (q->w, found, trouble, NULL);
     }
-  if (found == GS_VALUES_FOUND)
+  if (found == GS_VALUES_FOUND && miss (x, here) < sum_of (ns, best))
     {
-      sum_here = miss (x, here);
-      if (sum_here < sum)
-        {
-          memcpy (best, here, (size_t)ns * sizeof *best);
-          memcpy (z, r.z, (size_t)n * sizeof *z);
-        }
+      memcpy (best, here, (size_t)ns * sizeof *best);
+      memcpy (z, r.z, (size_t)n * sizeof *z);
     }
   gs_point_free (&r.e);
   return found;
 }
 
-/* the values z that miss the demands by least, from z on; best: by how much each of them */
+/* one solver after the other, from z on */
+static int
+relax_from (elastic *x, double *z, double *best, gs_room *room)
+{
+  static const int solvers[] = { GS_SOLVER_ipopt, GS_SOLVER_slsqp };
+  const gs_design_options *o = x->q->w->o;
+  int found = GS_VALUES_FOUND;
+  for (int k = 0; k < 2 && found == GS_VALUES_FOUND && sum_of (x->q->ndemands, best) > missed; k++)
+    if (k == 0 ? o->ipopt != NULL : o->nlopt != NULL)
+      found = relax_by (x, solvers[k], z, best, room);
+  return found;
+}
+
+/* number k of a sequence that fills 0 to 1 evenly, one for each prime (van der Corput, Halton) */
+static double
+spread (int k, int prime)
+{
+  double part = 1, sum = 0;
+  for (; k > 0; k /= prime)
+    sum += (part /= prime) * (k % prime);
+  return sum;
+}
+
+/* z: of places all over the bounds that which misses the demands by least, without derivatives;
+ * best: by how much. 0: there is none, where bounds are not finite */
+static int
+look_around (elastic *x, double *z, double *best, gs_room *room)
+{
+  static const int primes[] = { 2, 3, 5, 7, 11, 13 };
+  gs_narrowed *q = x->q;
+  const int n = q->n, ns = q->ndemands, all = q->w->d->nfree;
+  double *here = gs_room_numbers (room, n + ns), least = INFINITY;
+  int *free = gs_room_places (room, all), *kept = q->free;
+  if (n == 0 || n > 6 || ! here || ! free)
+    return 0;
+  for (int j = 0; j < n; j++)
+    if (! isfinite (q->high[j] - q->low[j]))
+      return 0;
+  q->free = free;
+  for (int k = 1; k <= 16 * n && gs_wall_clock () < q->w->ends; k++)
+    {
+      char trouble[800] = "";
+      for (int j = 0; j < n; j++)
+        here[j] = q->low[j] + (q->high[j] - q->low[j]) * spread (k, primes[j]);
+      const int found = gs_assess (q, here, &x->e, trouble);
+      if (found == GS_VALUES_INTERRUPTED || found == GS_VALUES_LATE)
+        break;
+      const int there = found == GS_VALUES_FOUND && x->e.m == x->m;
+      const double sum = there ? miss (x, here + n) : INFINITY;
+      if (sum < least)
+        {
+          least = sum;
+          memcpy (z, here, (size_t)n * sizeof *z);
+          memcpy (best, here + n, (size_t)ns * sizeof *best);
+        }
+    }
+  q->free = kept;
+  return least < INFINITY;
+}
+
+/* the values z that miss the demands by least: from z on, then from elsewhere; best: by how much
+ * each of them */
 static int
 relax (gs_narrowed *q, const int *demands, int many, double *z, double *best)
 {
-  static const int solvers[] = { GS_SOLVER_ipopt, GS_SOLVER_slsqp };
   gs_room room = { NULL, 0 };
   elastic x = { .q = q };
   char trouble[800] = "";
   choose (q, demands, many);
   int found = gs_assess (q, z, &x.e, trouble);
+  double *other = gs_room_numbers (&room, q->n + many);
   if (found != GS_VALUES_FOUND)
     gs_search_failed (q->w, found, trouble, NULL);
   else
     x.sizes = gs_room_numbers (&room, x.e.m);
-  if (x.sizes)
+  if (x.sizes && other)
     {
+      double *far = other + q->n;
+      x.m = x.e.m;
       gs_point_sizes (&x.e, x.sizes);
-      double sum = miss (&x, best);
-      for (int k = 0; k < 2 && sum > missed && found == GS_VALUES_FOUND; k++)
-        if (k == 0 ? q->w->o->ipopt != NULL : q->w->o->nlopt != NULL)
-          {
-            found = relax_by (&x, solvers[k], z, best, &room);
-            sum = 0;
-            for (int i = 0; i < many; i++)
-              sum += best[i];
-          }
+      miss (&x, best);
+      found = relax_from (&x, z, best, &room);
+      if (found == GS_VALUES_FOUND && sum_of (many, best) > missed
+          && look_around (&x, other, far, &room))
+        {
+          found = relax_from (&x, other, far, &room);
+          if (sum_of (many, far) < sum_of (many, best))
+            {
+              memcpy (z, other, (size_t)q->n * sizeof *z);
+              memcpy (best, far, (size_t)many * sizeof *best);
+            }
+        }
     }
   gs_point_free (&x.e);
   gs_room_free (&room);
-  return found != GS_VALUES_FOUND || ! x.sizes;
+  return found != GS_VALUES_FOUND || ! x.sizes || ! other;
 }
 
 /* is least without demand k a contradiction? then it is left out */
