@@ -24,6 +24,7 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+LOADER = os.path.join(ROOT, 'gsmbp', 'gsmbp.mac')
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(ROOT, 'share', 'make'))
 from typed_lines import goes_on  # noqa: E402
@@ -101,7 +102,17 @@ def linked(source, target):
         shutil.copy2(source, target)
 
 
-def workplace():
+def image(members):
+    """the command of an image of Maxima in which GSMBP is loaded, or none: a session that the
+    README prints loads the sources, as that of a stranger"""
+    if any(e.path == os.path.join(ROOT, 'README.md') for e in members):
+        return ''
+    said = subprocess.run([os.path.join(ROOT, 'share', 'make', 'image'), 'start', LOADER],
+                          stdout=subprocess.PIPE, text=True, check=False)
+    return said.stdout.strip()
+
+
+def workplace(loaded):
     """a folder that looks like the top of the repository, with nothing derived in it"""
     folder = tempfile.mkdtemp(prefix='session')
     for name in ('gsmbp', 'share', 'examples', 'tests'):
@@ -111,7 +122,13 @@ def workplace():
     os.mkdir(os.path.join(folder, 'user'))
     with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
         # a minus at the prompt as the public functions write it, in every version of Maxima
-        f.write('load("%s/gsmbp/gsmbp.mac")$ ?putprop(?mminus, 100, ?rbp)$\n' % ROOT)
+        f.write('gs__load_manual(sconcat(gs__share, "manual/"))$' if loaded else
+                'load("%s")$' % LOADER)
+        f.write(' ?putprop(?mminus, 100, ?rbp)$\n')
+    with open(os.path.join(folder, 'user', 'begin.lisp'), 'w') as f:   # what an image leaves out
+        f.write('(in-package :maxima)\n(setq *display-labels-p* t)\n(setf (cdr '
+                '$file_search_maxima)\n      (cons "%s/user/$$$.mac" (cdr $file_search_maxima)))\n'
+                % folder)
     return folder
 
 
@@ -131,10 +148,11 @@ def trimmed(text):
     return lines
 
 
-def maxima_answers(steps, folder):
+def maxima_answers(steps, folder, maxima):
     """the prompt and the output of each"""
     typed = '\n'.join('\n'.join(s[0]) for s in steps) + '\n'
-    said = run([os.environ.get('MAXIMA', 'maxima'), '--quiet', '--init=none',
+    said = run([maxima, '--quiet', '--init-mac=/dev/null', '--init-lisp=/dev/null',
+                '--preload-lisp=' + os.path.join(folder, 'user', 'begin.lisp'),
                 '--userdir=' + os.path.join(folder, 'user')], typed, folder)
     parts = re.split(r'(\(%i\d+\) )', said)[1:]
     return [(parts[k], trimmed(parts[k + 1])) for k in range(0, len(parts) - 1, 2)]
@@ -221,14 +239,16 @@ def agrees(expected, said):
         same_line(' '.join(expected), ' '.join(said)))
 
 
-def typed_session(members, folder):
+def typed_session(members, folder, maxima):
     """{example: [(typed, expected, prompt, said), ...]}"""
     for e in members:
         if e.file:
             with open(os.path.join(folder, e.file), 'w') as f:
                 f.write('\n'.join(e.text) + '\n')
     found = {}
-    for kind, answers in (('maxima', maxima_answers), ('octave', octave_answers),
+    def by_maxima(steps, place):
+        return maxima_answers(steps, place, maxima)
+    for kind, answers in (('maxima', by_maxima), ('octave', octave_answers),
                           ('shell', shell_answers), ('python', python_answers)):
         mine = [e for e in members if e.kind == kind and not e.file]
         steps = [(e, s) for e in mine for s in e.steps()]
@@ -284,9 +304,11 @@ def processor_time():
 def judged(name, members, write):
     """types a session; {example: its text as it should be} where that is not what was found"""
     begun = processor_time()
-    folder, change = workplace(), {}
+    loaded = image(members)
+    folder, change = workplace(loaded), {}
+    maxima = loaded or os.environ.get('MAXIMA', 'maxima')
     try:
-        for e, answers in typed_session(members, folder).items():
+        for e, answers in typed_session(members, folder, maxima).items():
             wrong = differs(answers)
             place = '%s:%d: session %s' % (os.path.relpath(e.path, ROOT), e.first, name)
             print('not ok %s: %s' % (place, wrong) if wrong else 'ok ' + place, flush=True)
