@@ -67,10 +67,10 @@ end
 ## SIGINT to this session at a seeded instant of a run that would last for hours; how late it ended
 function late = by_signal (m, what, options)
   t = 0:0.05:5e4;
-  w = gsmbp_simulate (m, m.initial, t, options{:}, "timeout", 0.4);
+  w = gsmbp_simulate (m, m.initial, t, options{:}, "timeout", 0.2);
   file = tempname ();
   system (sprintf ("(sleep %g; date +%%s.%%N >%s; kill -INT %d) >/dev/null 2>&1 &", ...
-                   0.6 + 0.3 * rand (), file, getpid ()));
+                   0.3 + 0.2 * rand (), file, getpid ()));
   [r, info] = gsmbp_simulate (m, m.initial, t, options{:});
   late = time () - str2double (fileread (file));
   unlink (file);

@@ -55,14 +55,25 @@ def derive(root, folder, calls, lisp):
     return found
 
 
+def maxima_of(root, lisp):
+    """the command of Maxima on this Lisp, and what it loads first: an image has GSMBP"""
+    load = 'load("%s/gsmbp/gsmbp.mac")$\n' % root
+    if lisp == 'ECL' and shutil.which('maxima-sage'):
+        return 'maxima-sage', load
+    said = subprocess.run([root + '/share/make/image', 'start', root + '/gsmbp/gsmbp.mac'],
+                          stdout=subprocess.PIPE, text=True, check=False).stdout.strip()
+    return (said, '') if said else ('maxima', load)
+
+
 def session(root, folder, calls, lisp, log, found):
     batch = log[:-4] + '.batch'
+    maxima, load = maxima_of(root, lisp)
     with open(batch, 'w') as f:
-        f.write('load("%s/gsmbp/gsmbp.mac")$\nload("%s/tests/random/derive.mac")$\n' % (root, root))
+        f.write('%sload("%s/tests/random/derive.mac")$\n' % (load, root))
         f.write('\n'.join(command(root, folder, c) for c in calls) + '\n')
-    maxima = 'maxima-sage' if lisp == 'ECL' and shutil.which('maxima-sage') else 'maxima'
     with open(log, 'w') as out:
-        p = subprocess.Popen([maxima, '--very-quiet', '--init=none', '-b', batch],
+        p = subprocess.Popen([maxima, '--very-quiet', '--init-mac=/dev/null',
+                              '--init-lisp=/dev/null', '-b', batch],
                              stdin=subprocess.DEVNULL,
                              stdout=out,
                              stderr=subprocess.STDOUT,

@@ -1,5 +1,6 @@
 # Runs that carry derivatives and their adjoint, in C (share/engine/host): emitted scenes against
-# closed forms and differences, two runs at once, under the sanitizers and in quad precision.
+# closed forms and differences, two runs at once, under the sanitizers (make test-whole: in quad
+# precision, too).
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -20,7 +21,7 @@ share/make/maxima "$work/log" "$statements" >"$report" 2>&1
 told $? 'the scenes are emitted in C' "$report"
 
 headers_in_cplusplus host/derivatives/derivatives.h host/adjoint.h
-for kind in sane quad; do
+for kind in sane $(whole && echo quad); do
   engine_program $kind "$work/$kind" -I"$work" tests/c/host/carried_runs.c "$work"/*.c
   told $? "the program compiles, $kind" "$report"
   to_the_end "$work/$kind"

@@ -139,3 +139,7 @@ check 'without makeinfo: make install' make_ install MAXIMA_USERDIR="$work/.maxi
 check 'without makeinfo: there is no manual, in one line' \
   test "$(grep -c 'install: without the manual' "$report")" -eq 1
 check 'without makeinfo: the package is installed' test -s "$work/.maxima/gsmbp.mac"
+# with that folder of the user in its environment make has made another image of Maxima: the other
+# tests go on with theirs
+PATH=$plain_path share/make/compile >"$report" 2>&1 </dev/null
+told $? 'the image of Maxima is made again' "$report"

@@ -1,6 +1,6 @@
 # gsmbp_package(scene, c): what is written is built by its own Makefile and CMakeLists.txt with gcc
-# and clang without a warning, gives the values that Maxima computed, and runs; with the sanitizers
-# of gcc too. A wrong value is found.
+# and clang without a warning, gives the values that Maxima computed, and runs; make test-whole: by
+# cmake and with the sanitizers of gcc, too. A wrong value is found.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -44,15 +44,16 @@ done
 builds slider_crank gcc CC=gcc CFLAGS="$strict"
 cp "$report" "$work/by_gcc"
 # which is compiled once
-for name in rolling_disc $others; do
+for name in rolling_disc event_crank $others; do
   cp -R "$work/slider_crank/runtime/." "$work/$name/runtime"
-done
-for name in rolling_disc $others; do
   builds $name gcc CC=gcc CFLAGS="$strict"
 done
-builds event_crank 'sanitizers of gcc' CC=gcc \
-  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
-  LDFLAGS=-fsanitize=address,undefined
+if whole; then
+  make -s -C "$work/event_crank" clean
+  builds event_crank 'sanitizers of gcc' CC=gcc \
+    CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
+    LDFLAGS=-fsanitize=address,undefined
+fi
 # what cannot be is refused
 while read -r words wanted; do
   "$work/event_crank/example/simulate" $(echo "$words" | tr _ ' ') >"$report" 2>&1
