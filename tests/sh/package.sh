@@ -21,8 +21,8 @@ version=$(sed -n 's/.*gsmbp_version, "\([^"]*\)".*/\1/p' gsmbp/kernel/version.ma
 
 # in copies of the tree: what lies there beside it does not count, nor do times, nor the umask
 copy() {
-  mkdir -p "$2" && cp -R "$1"/gsmbp "$1"/octave "$1"/share "$1"/[C-M]* "$2" &&
-    rm -rf "$2/share/package"
+  mkdir -p "$2" && (cd "$1" && tar -cf - --exclude=gsmbp/compiled/*/image \
+    --exclude=share/package gsmbp octave share [C-M]*) | tar -xmf - -C "$2"
 }
 copy . "$work/tree/a" && copy . "$work/tree/b" && touch "$work"/tree/b/octave/*.m
 make --no-print-directory -C "$work/tree/a" package >"$report" 2>&1
