@@ -1,7 +1,7 @@
-# Scenes of 64 links, in make test-whole of 128, too: derived, emitted, compiled and run; the efforts
-# of the inverse dynamics are those of Newton and Euler in ground axes (tests/tools/scale.mac), and
-# the accelerations of the forward dynamics need these efforts. Both sum in double precision, in
-# another order: 1e-13 of the largest effort leaves a factor of a hundred.
+# Scenes of 64 links, in make test-whole of 128, too: derived, emitted, compiled and run; efforts of
+# the inverse dynamics are those of Newton and Euler in ground axes (tests/tools/scale.mac), and the
+# accelerations of the forward dynamics need these efforts. Both sum in double precision, in another
+# order: 1e-13 of the largest effort leaves a factor of a hundred.
 . tests/tools/check.sh
 functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
