@@ -36,6 +36,14 @@ function r = model (m, x, v, varargin)
               "b", part (sys.b), "c", part (sys.c), "d", part (sys.d), "tangent", part (T), ...
               "independent", k - 1, "states", {sys.stname}, "outputs", {sys.outname}, ...
               "dropped", {dropped});
+  if (! any (strcmp (m.subroutines, "mas")) || any (strcmp (varargin, "none")))
+    return;
+  end
+  s = gsmbp_mck (m, 0, x, v, varargin{:});
+  for name = {"M", "C", "K", "B", "E", "D", "G", "S", "N"}
+    r.mck.(name{1}) = part (s.(name{1}));
+  end
+  r.mck.names = {s.coordinates, s.speeds, s.devices};
 end
 
 function r = trims ()

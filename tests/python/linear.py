@@ -40,6 +40,24 @@ def beside_octave(name, one):
               np.append(wanted / size, 0), 1e-13)
 
 
+def mck_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    r = m.mck(0, one['x'], np.atleast_1d(one['v']) if np.size(one['v']) else None, **options)
+    what = 'mck of %s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': names', [list(k) for k in (r.coordinates, r.speeds, r.devices)] == [
+        list(listed(k)) for k in one['mck']['names']])
+    least = np.abs(r.M).max(initial=1e-9)   # the others are it times numbers: zeros are round-off
+    for part in 'MCKBEDGSN':
+        wanted, found = matrix(one['mck'][part]), getattr(r, part)
+        if found is None:
+            holds('%s: %s is empty' % (what, part), not wanted.size)
+            continue
+        size = np.abs(wanted).max(initial=least)
+        close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
+              1e-12)
+
+
 def trim_beside_octave(name, one):
     m = importlib.import_module(name).Model()
     options = dict(zip(one['options'][::2], one['options'][1::2]))
@@ -199,6 +217,8 @@ for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
     for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
             beside(scene, one)
+            if 'mck' in one:
+                mck_beside_octave(scene, one)
 shapes()
 pendulum()
 refused()

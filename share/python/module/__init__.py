@@ -8,6 +8,7 @@
     m.linear(t, x, v)             a linear model in independent states
     m.trim(x, v)                  an equilibrium or a steady motion
     m.modes(x)                    small vibrations
+    m.mck(t, x, v)                their matrices of mass, damping and stiffness
     m.reach(name, P, R)           inverse kinematics
     m.collocate(x0, xf, time=T)   an optimal motion
     m.optimize(free, goal, demands, cases)   a design
@@ -20,6 +21,7 @@ from ._collocate import Collocation
 from ._ensemble import Ensemble
 from ._library import DependentWarning, Error, TABLE as table
 from ._linear import LinearModel
+from ._mck import Mck
 from ._model import Model
 from ._modes import Modes
 from ._motion import Piecewise, plan, table as table_of
@@ -29,9 +31,9 @@ from ._run import Result, RunWarning
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Modes', 'Reach', 'Collocation', 'Optimum', 'Piecewise', 'plan',
-           'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Mck', 'Reach', 'Collocation', 'Optimum', 'Piecewise',
+           'plan', 'table_of', 'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Modes, Reach, Collocation, Optimum, Piecewise):
+             Trim, Modes, Mck, Reach, Collocation, Optimum, Piecewise):
     _one.__module__ = __name__

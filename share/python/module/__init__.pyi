@@ -67,6 +67,21 @@ class Modes(NamedTuple):
     rigid: int
     x: Real
 
+class Mck(NamedTuple):
+    M: Real
+    C: Real
+    K: Real
+    B: Real
+    E: Real
+    D: Real
+    G: Real
+    S: Optional[Real]
+    N: Optional[Real]
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    inputs: tuple[str, ...]
+    devices: tuple[str, ...]
+
 class Reach(NamedTuple):
     q: Real
     status: tuple[str, ...]
@@ -215,6 +230,10 @@ class Model(Routines):
     def modes(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
               hold: Union[str, Sequence[str]] = (), steady: bool = False, time: float = 0.0,
               start: Literal['check', 'project'] = 'check') -> Modes: ...
+    def mck(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+            reduced: Union[str, Sequence[str]] = 'auto',
+            drop: Union[str, Sequence[str]] = (),
+            start: Literal['check', 'project'] = 'check') -> Mck: ...
     def reach(self, name: str, P: ArrayLike, R: Optional[ArrayLike] = None, *,
               start: Optional[ArrayLike] = None, branch: int = 0,
               limits: Optional[ArrayLike] = None,

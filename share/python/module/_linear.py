@@ -36,6 +36,11 @@ def linear(self, t, x, v=None, *, reduced='auto', drop=(), start='check'):
     self._has('jac')
     t, x, v = numbers(who, self, t, x, v)
     x = on_constraints(who, self, t, x, start)
+    return at_state(who, self, t, x, v, reduced, drop)
+
+
+def at_state(who, self, t, x, v, reduced, drop):
+    """The linear model, for what has these arguments as well."""
     asked = Asked(reduced=Asked.NAMED, running=_word(drop) == 'running')
     if _word(reduced) in ('auto', 'none'):
         asked.reduced = Asked.AUTO if reduced == 'auto' else Asked.NONE
@@ -61,7 +66,7 @@ def _made(who, model, here, asked):
     if found.row >= 0:
         warnings.warn('%s: %s' % (who, REFUSALS.no_derivative % (
             'output ' + model.outputs[found.row], _by(model, found.column))), _run.RunWarning,
-                      stacklevel=4)
+                      stacklevel=5)
     n, m = found.n, found.m
     a, b, c, d, tangent = (_matrix(found.kept[name], *shape) for name, shape in (
         ('a', (n, n)), ('b', (n, NV)), ('c', (m, n)), ('d', (m, NV)), ('tangent', (NX, n))))
@@ -72,7 +77,7 @@ def _made(who, model, here, asked):
     gone = [name for k, name in enumerate(names) if k not in seen]
     if NY and gone:
         warnings.warn('%s: left out, as they depend on %s: %s' % (
-            who, ', '.join(dropped), ', '.join(gone)), _run.RunWarning, stacklevel=4)
+            who, ', '.join(dropped), ', '.join(gone)), _run.RunWarning, stacklevel=5)
     return LinearModel(a, b, c, d, tuple(model.states[k] for k in independent), model.inputs,
                        tuple(names[seen]), tangent, independent, dropped)
 

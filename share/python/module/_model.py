@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _modes, _optimize,
+from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _mck, _modes, _optimize,
                _reach, _run, _start, _trim)
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
@@ -139,6 +139,7 @@ class Model(Routines):
     linear = explained(_linear.linear)
     trim = explained(_trim.trim)
     modes = explained(_modes.modes)
+    mck = explained(_mck.mck)
     reach = explained(_reach.reach)
     collocate = explained(_collocate.collocate)
     optimize = explained(_optimize.optimize)
