@@ -36,7 +36,7 @@ function r = model (m, x, v, varargin)
               "b", part (sys.b), "c", part (sys.c), "d", part (sys.d), "tangent", part (T), ...
               "independent", k - 1, "states", {sys.stname}, "outputs", {sys.outname}, ...
               "dropped", {dropped});
-  if (! any (strcmp (m.subroutines, "mas")) || any (strcmp (varargin, "none")))
+  if (! any (strcmp (m.subroutines, "mas")))
     return;
   end
   s = gsmbp_mck (m, 0, x, v, varargin{:});

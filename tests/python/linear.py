@@ -193,6 +193,11 @@ def refused():
     refuses('a tolerance that is none', ValueError, ['tolerance: expected', '2'],
             arm.trim, x[:2], tolerance=2)
 
+    refuses('matrices off the constraints', ValueError, ['case_03a.mck', 'on the constraints'],
+            m.mck, 0, m.initial + 0.1)
+    refuses('names of matrices that are none', ValueError, ['case_03a.mck', 'reduced: expected'],
+            m.mck, 0, m.initial, reduced='tetha', start='project')
+
     import reach_puma
     import reach_crank
     m = reach_puma.Model()

@@ -210,12 +210,13 @@ def numbers(folder, drawn):
         with open('%s/beams%d.mac' % (folder, d.seed), 'w') as f:
             f.write(d.text() + 'state_ : %s$\n' % d.state())
     with open(folder + '/all.mac', 'w') as f:
-        f.write('load("%s/gsmbp/gsmbp.mac")$\nload("%s/tests/random/beams.mac")$\n' % (ROOT, ROOT))
+        f.write('load("%s/tests/random/beams.mac")$\n' % ROOT)
         for d in drawn:
             f.write('beams_values("%s", "beams%d")$\n' % (folder, d.seed))
-    with open(folder + '/all.log', 'w') as log:
-        subprocess.run(['maxima', '--very-quiet', '--batch=' + folder + '/all.mac'],
-                       stdin=subprocess.DEVNULL, stdout=log, stderr=log, timeout=36000, cwd=folder)
+    subprocess.run(
+        [ROOT + '/share/make/maxima', folder + '/all.log',
+         'load("%s/gsmbp/gsmbp.mac")$ batchload("%s/all.mac")$' % (ROOT, folder)], check=False,
+        stderr=subprocess.DEVNULL, cwd=folder, env={**os.environ, 'GSMBP_TIMEOUT': '36000'})
     return {d.seed: values('%s/beams%d.values' % (folder, d.seed)) for d in drawn}
 
 

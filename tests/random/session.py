@@ -4,8 +4,11 @@ import ctypes
 import os
 import shutil
 import subprocess
+import sys
 import time
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'tools'))
+from maxima import maxima  # noqa: E402
 CPU_LIMIT = 60.
 TICKS = os.sysconf('SC_CLK_TCK')
 
@@ -55,25 +58,19 @@ def derive(root, folder, calls, lisp):
     return found
 
 
-def maxima_of(root, lisp):
-    """the command of Maxima on this Lisp, and what it loads first: an image has GSMBP"""
-    load = 'load("%s/gsmbp/gsmbp.mac")$\n' % root
-    if lisp == 'ECL' and shutil.which('maxima-sage'):
-        return 'maxima-sage', load
-    said = subprocess.run([root + '/share/make/image', 'start', root + '/gsmbp/gsmbp.mac'],
-                          stdout=subprocess.PIPE, text=True, check=False).stdout.strip()
-    return (said, '') if said else ('maxima', load)
-
-
 def session(root, folder, calls, lisp, log, found):
     batch = log[:-4] + '.batch'
-    maxima, load = maxima_of(root, lisp)
+    ecl = lisp == 'ECL' and shutil.which('maxima-sage')
+    words, loaded = maxima(root, image=not ecl)
+    if ecl:
+        words[0] = ecl
     with open(batch, 'w') as f:
-        f.write('%sload("%s/tests/random/derive.mac")$\n' % (load, root))
+        if not loaded:
+            f.write('load("%s/gsmbp/gsmbp.mac")$\n' % root)
+        f.write('load("%s/tests/random/derive.mac")$\n' % root)
         f.write('\n'.join(command(root, folder, c) for c in calls) + '\n')
     with open(log, 'w') as out:
-        p = subprocess.Popen([maxima, '--very-quiet', '--init-mac=/dev/null',
-                              '--init-lisp=/dev/null', '-b', batch],
+        p = subprocess.Popen([*words, '--very-quiet', '-b', batch],
                              stdin=subprocess.DEVNULL,
                              stdout=out,
                              stderr=subprocess.STDOUT,

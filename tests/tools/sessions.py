@@ -7,13 +7,15 @@ in another file, too): the examples behind it whose first line begins with `(%i1
 `>>> ` are typed, those of Maxima first, then those of Octave, of a shell, of Python (env/bin/python
 where the shell has made that), in a new folder that looks like the top of the repository.
 `@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or `not ok` an
-example. In what is expected a line `...` stands for any lines, `...` at the end of a
-line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
-(1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
-left out. --part=K/N: the part K of N of the sessions, of about the same length. --write: what
+example. In what is expected a line `...` stands for any lines, `...` at the end of a line for the
+rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones (1e-12)
+altogether, times in seconds and parts of it, too; lines that tell of a long derivation are left
+out. Maxima is the image in which GSMBP is loaded; sessions of the README load the sources, as a
+stranger's. --part=K/N: the part K of N of the sessions, of about the same length. --write: what
 differs is written into the file instead, and pictures that the file shows (@image{figures/NAME,
 ...}) are copied to figures/ beside it.
 """
+import functools
 import glob
 import os
 import re
@@ -24,10 +26,10 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-LOADER = os.path.join(ROOT, 'gsmbp', 'gsmbp.mac')
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(ROOT, 'share', 'make'))
 from typed_lines import goes_on  # noqa: E402
+from maxima import maxima  # noqa: E402
 PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> '),
           'shell': re.compile(r'\$ '), 'python': re.compile(r'>>> ')}
 DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
@@ -102,16 +104,6 @@ def linked(source, target):
         shutil.copy2(source, target)
 
 
-def image(members):
-    """the command of an image of Maxima in which GSMBP is loaded, or none: a session that the
-    README prints loads the sources, as that of a stranger"""
-    if any(e.path == os.path.join(ROOT, 'README.md') for e in members):
-        return ''
-    said = subprocess.run([os.path.join(ROOT, 'share', 'make', 'image'), 'start', LOADER],
-                          stdout=subprocess.PIPE, text=True, check=False)
-    return said.stdout.strip()
-
-
 def workplace(loaded):
     """a folder that looks like the top of the repository, with nothing derived in it"""
     folder = tempfile.mkdtemp(prefix='session')
@@ -123,7 +115,7 @@ def workplace(loaded):
     with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
         # a minus at the prompt as the public functions write it, in every version of Maxima
         f.write('gs__load_manual(sconcat(gs__share, "manual/"))$' if loaded else
-                'load("%s")$' % LOADER)
+                'load("%s/gsmbp/gsmbp.mac")$' % ROOT)
         f.write(' ?putprop(?mminus, 100, ?rbp)$\n')
     with open(os.path.join(folder, 'user', 'begin.lisp'), 'w') as f:   # what an image leaves out
         f.write('(in-package :maxima)\n(setq *display-labels-p* t)\n(setf (cdr '
@@ -148,10 +140,10 @@ def trimmed(text):
     return lines
 
 
-def maxima_answers(steps, folder, maxima):
+def maxima_answers(words, steps, folder):
     """the prompt and the output of each"""
     typed = '\n'.join('\n'.join(s[0]) for s in steps) + '\n'
-    said = run([maxima, '--quiet', '--init-mac=/dev/null', '--init-lisp=/dev/null',
+    said = run([*words, '--quiet',
                 '--preload-lisp=' + os.path.join(folder, 'user', 'begin.lisp'),
                 '--userdir=' + os.path.join(folder, 'user')], typed, folder)
     parts = re.split(r'(\(%i\d+\) )', said)[1:]
@@ -239,17 +231,16 @@ def agrees(expected, said):
         same_line(' '.join(expected), ' '.join(said)))
 
 
-def typed_session(members, folder, maxima):
+def typed_session(members, folder, words):
     """{example: [(typed, expected, prompt, said), ...]}"""
     for e in members:
         if e.file:
             with open(os.path.join(folder, e.file), 'w') as f:
                 f.write('\n'.join(e.text) + '\n')
     found = {}
-    def by_maxima(steps, place):
-        return maxima_answers(steps, place, maxima)
-    for kind, answers in (('maxima', by_maxima), ('octave', octave_answers),
-                          ('shell', shell_answers), ('python', python_answers)):
+    for kind, answers in (('maxima', functools.partial(maxima_answers, words)),
+                          ('octave', octave_answers), ('shell', shell_answers),
+                          ('python', python_answers)):
         mine = [e for e in members if e.kind == kind and not e.file]
         steps = [(e, s) for e in mine for s in e.steps()]
         if not steps:
@@ -304,11 +295,11 @@ def processor_time():
 def judged(name, members, write):
     """types a session; {example: its text as it should be} where that is not what was found"""
     begun = processor_time()
-    loaded = image(members)
+    of_strangers = any(e.path == os.path.join(ROOT, 'README.md') for e in members)
+    words, loaded = maxima(ROOT, image=not of_strangers)
     folder, change = workplace(loaded), {}
-    maxima = loaded or os.environ.get('MAXIMA', 'maxima')
     try:
-        for e, answers in typed_session(members, folder, maxima).items():
+        for e, answers in typed_session(members, folder, words).items():
             wrong = differs(answers)
             place = '%s:%d: session %s' % (os.path.relpath(e.path, ROOT), e.first, name)
             print('not ok %s: %s' % (place, wrong) if wrong else 'ok ' + place, flush=True)
