@@ -167,62 +167,27 @@ endfunction
 ## the modes at each of the speeds of one coordinate, each followed by its shape
 function [r, doubt] = over_speeds (p, x, u, speeds)
   n = numel (speeds);
-  nan = @(rows_) NaN (rows_, n);
-  r = struct ("speeds", speeds, "frequency", nan (0), "damping", nan (0), "eigenvalues", nan (0),
-              "shapes", zeros (p.m.sizes.nq, 0, n), "real", {cell(1, n)}, "rigid", zeros (1, n),
-              "x", zeros (numel (x), n));
-  last = zeros (p.m.sizes.nq, 0);
   doubt = "";
   for k = 1:n
     x(p.m.sizes.nq + u) = speeds(k);
-    [one, found] = modes_at (p, x);
-    doubt = {doubt, found}{1 + isempty(doubt)};   # the first one
-    x = one.x;
-    [row, last] = followed (last, one.shapes);
-    r.frequency(end+1:max (row),:) = NaN;
-    [r.damping, r.eigenvalues] = deal (padded (r.damping, row), padded (r.eigenvalues, row));
-    r.shapes(:,end+1:max (row),:) = NaN;
-    r.frequency(row,k) = one.frequency;
-    r.damping(row,k) = one.damping;
-    r.eigenvalues(row,k) = one.eigenvalues;
-    r.shapes(:,:,k) = NaN;
-    r.shapes(:,row,k) = one.shapes;
-    [r.real{k}, r.rigid(k), r.x(:,k)] = deal (one.real, one.rigid, x);
+    [found(k), more] = modes_at (p, x);
+    doubt = {doubt, more}{1 + isempty(doubt)};   # the first one
+    x = found(k).x;
   endfor
-  r = ordered (r);
-endfunction
-## modes that begin with equal frequencies (those of a rotor at rest) by rising frequency later
-function r = ordered (r)
-  f = r.frequency;
-  f(isnan (f)) = Inf;   # later ones
-  [~, order] = sortrows (single (f));   # equal but for rounding
-  for name = {"frequency", "damping", "eigenvalues"}
-    r.(name{1}) = r.(name{1})(order,:);
+  [row, nrows] = p.m.module ("followed modes", cellfun (@numel, {found.frequency}), ...
+                             [found.shapes], vertcat (found.frequency));
+  first = NaN (nrows, n);
+  r = struct ("speeds", speeds, "frequency", first, "damping", first, "eigenvalues", first, ...
+              "shapes", NaN (rows (found(1).shapes), nrows, n), "real", {{found.real}}, ...
+              "rigid", [found.rigid], "x", [found.x]);
+  for k = 1:n
+    own = row(1:numel (found(k).frequency));
+    row(1:numel (own)) = [];
+    for name = {"frequency", "damping", "eigenvalues"}
+      r.(name{1})(own,k) = found(k).(name{1});
+    endfor
+    r.shapes(:,own,k) = found(k).shapes;
   endfor
-  r.shapes = r.shapes(:,order,:);
-endfunction
-function y = padded (y, row)
-  y(end+1:max (row),:) = NaN;
-endfunction
-
-## ROW of each of the SHAPES: that of the most alike one of LAST, or a new one
-function [row, last] = followed (last, shapes)
-  n = columns (shapes);
-  row = zeros (1, n);
-  like = abs (unit (last)' * unit (shapes));
-  while (any (like(:) > 0.5))
-    [~, best] = max (like(:));
-    [i, j] = ind2sub (size (like), best);
-    row(j) = i;
-    like(i,:) = 0;
-    like(:,j) = 0;
-  endwhile
-  new = find (row == 0);
-  row(new) = columns (last) + (1:numel (new));
-  last(:,row) = shapes;
-endfunction
-function S = unit (S)
-  S ./= max (sqrt (sum (abs (S) .^ 2, 1)), realmin);
 endfunction
 
 ## the Campbell diagram

@@ -75,69 +75,19 @@ function s = gsmbp_sensitivity (m, x, v, varargin)
   endif
   x = gs.start.consistent_start (who, m, o.time, x, "check");
   v = gs.given.given_vector (who, "v", v, m.sizes.nv, " (the inputs)", m.inputs);
-  [dx, dv] = at_rest (who, m, o, x, v);
-  dy = of_outputs (m, o.time, x, v, dx, dv);
-  s.names = cellstr (m.json.sensitivity)(:)';
-  [s.poles, dp, w, dw, z, dz] = of_poles (who, m, o.time, x, v, dx, dv, s.names);
-  s.frequency = w;
-  s.damping = z;
+  names = cellstr (m.json.sensitivity)(:)';
+  at = gs.linear.state_place (m, o.time, x, v);
+  [verdict, text, dx, dv, dy] = m.module ("rest slopes", at{:}, ...
+                                          numbers (who, "hold", o.hold, m.states), ...
+                                          numbers (who, "free", o.free, m.inputs), names(:));
+  gs.linear.heed_verdict (who, m, verdict, text);
+  [s, V, W, reduced] = gs.linear.state_poles (who, m, o.time, x, v);
+  s.names = names;
+  [dp, dw, dz] = of_poles (m, s.poles, V, W, reduced, x, v, dx, dv, names);
   parts = struct ("dx", dx, "dv", dv, "dy", dy, "dpoles", dp, "dfrequency", dw, "ddamping", dz);
   for part = fieldnames (parts)'
-    s.(part{1}) = cell2struct (num2cell (parts.(part{1}), 1)(:), s.names(:), 1);
+    s.(part{1}) = cell2struct (num2cell (parts.(part{1}), 1)(:), names(:), 1);
   endfor
-endfunction
-
-## derivatives of the equilibrium: rates of speeds and devices stay zero, the loops closed
-function [dx, dv] = at_rest (who, m, o, x, v)
-  d = m.sizes;
-  hold_ = numbers (who, "hold", o.hold, m.states);
-  free = numbers (who, "free", o.free, m.inputs);
-  [P, A, B, rates] = m.rhp (o.time, x, v);
-  gs.given.need_derivatives ([who, ": ", m.name], [A, B, P], ...
-                             strcat ({"rate of "}, m.states(:)), ...
-                             [m.states(:); m.inputs(:); cellstr(m.json.sensitivity)(:)]);
-  if (any (x(d.nq+(1:d.nu))) || ! (max (abs (rates ./ m.nominal)) < 1e-6))
-    error ("%s: %s: expected an equilibrium, as gsmbp_trim finds it; found rates up to %.3g", ...
-           who, m.name, max (abs (rates ./ m.nominal)));
-  endif
-  k = setdiff ([1:d.nq, d.nq+d.nu+1:d.nx], hold_);
-  E = [A(d.nq+1:end,k), B(d.nq+1:end,free)];
-  r = -P(d.nq+1:end,:);
-  if (d.nlam > 0)
-    DP = [m.tan(o.time, x), zeros(d.nlam, d.nx - d.nq)];
-    E = [E; DP(:,k), zeros(d.nlam, numel (free))];
-    r = [r; -m.cop(o.time, x)];
-  endif
-  for set = m.orientation'
-    row = zeros (1, d.nx);
-    row(set) = x(set);
-    E = [E; row(k), zeros(1, numel (free))];
-    r = [r; zeros(1, columns (P))];
-  endfor
-  scale = [m.nominal(k); ones(numel (free), 1)]';
-  z = alone (who, m, E .* scale, r, [m.states(k); m.inputs(free)]) .* scale';
-  dx = zeros (d.nx, columns (P));
-  dv = zeros (d.nv, columns (P));
-  dx(k,:) = z(1:numel (k),:);
-  dv(free,:) = z(numel (k)+1:end,:);
-endfunction
-
-## the solution of E*z = r, or an error where it is not the only one, or none
-function z = alone (who, m, E, r, names)
-  big = max (abs (E), [], 2);
-  big(big == 0) = 1;
-  E ./= big;
-  r ./= big;
-  N = null (E, 1e-9);
-  if (! isempty (N))
-    error (["%s: %s: the equilibrium does not stand alone: %s can be moved; hold some of them " ...
-            "(\"hold\")"], who, m.name, strjoin (names(max (abs (N), [], 2) > 1e-6)', ", "));
-  endif
-  z = E \ r;
-  if (norm (E * z - r, Inf) > 1e-8 * max (1, norm (r, Inf)))
-    error (["%s: %s: with other parameters there is no equilibrium near this one; free an " ...
-            "input (\"free\")"], who, m.name);
-  endif
 endfunction
 
 function k = numbers (who, option, names, known)
@@ -152,50 +102,21 @@ function k = numbers (who, option, names, known)
   endif
 endfunction
 
-function dy = of_outputs (m, t, x, v, dx, dv)
-  dy = NaN (m.sizes.ny, columns (dx));
-  if (m.sizes.ny > 0 && any (strcmp (m.subroutines, "oup")))
-    [~, ~, C, D] = m.jac (t, x, v);
-    dy = C * dx + D * dv + m.oup (t, x, v);
-  endif
-endfunction
-
-## poles, and their derivatives by perturbation; frequencies and damping of those that oscillate
-function [e, de, w, dw, z, dz] = of_poles (who, m, t, x, v, dx, dv, names)
-  [~, free] = gs.linear.loop_tangent (who, m, t, x, []);
-  reduced = @(m, x, v) m.jac (t, x, v)(free,:) ...
-                       * gs.linear.loop_tangent (who, m, t, x, free);
-  [V, e, W] = eig (reduced (m, x, v), "vector");
-  [~, order] = sort (abs (e));
-  [V, e, W] = deal (V(:,order), e(order), W(:,order));
-  de = zeros (numel (e), numel (names));
+## derivatives of the poles by perturbation, of frequencies and damping of those that oscillate
+function [de, dw, dz] = of_poles (m, e, V, W, reduced, x, v, dx, dv, names)
+  [de, dw, dz] = deal (zeros (numel (e), numel (names)));
   for k = 1:numel (names)
     dA = along (m, reduced, x, v, dx(:,k), dv(:,k), names{k});
-    for i = 1:numel (e)
-      touch = W(:,i)' * V(:,i);
-      de(i,k) = (W(:,i)' * dA * V(:,i)) / touch;
-      if (abs (touch) < 1e-6 * norm (W(:,i)) * norm (V(:,i)) || multiple (e, i))
-        de(i,k) = NaN;
-      endif
-    endfor
+    [de(:,k), dw(:,k), dz(:,k)] = m.module ("pole slopes", e, V, W, dA);
   endfor
   up = imag (e) > 0;
-  w = abs (e(up));
-  dw = real (conj (e(up)) .* de(up,:)) ./ w;
-  z = -real (e(up)) ./ w;
-  dz = (-real (de(up,:)) - z .* dw) ./ w;
-endfunction
-
-function is = multiple (e, i)
-  others = e([1:i-1, i+1:end]);
-  is = any (abs (others - e(i)) <= 1e-9 * max (abs (e)));
+  [dw, dz] = deal (dw(up,:), dz(up,:));
 endfunction
 
 ## the derivative of a function of model, states and inputs along a family of equilibria
 function D = along (m, f, x, v, dx, dv, name)
   p = m.par.(name);
-  h = 1e-2 * (abs (p) + (p == 0));
-  h /= max ([1; h * abs(dx) ./ (1e-2 * m.nominal)]);
+  h = m.module ("family step", m.nominal, p, dx);
   g = @(s) f (gsmbp_set (m, name, p + s * h), x + s * h * dx, v + s * h * dv);
   D = (45 * (g (1) - g (-1)) - 9 * (g (2) - g (-2)) + (g (3) - g (-3))) / (60 * h);
 endfunction

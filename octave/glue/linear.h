@@ -234,6 +234,72 @@ do_modes (arguments& a, int)
                                         : octave_value_list (6, Matrix ()));
 }
 
+// (numbers of modes by speed, frequencies, shapes, one behind another): the row of each mode in a
+// diagram, how many rows there are
+static octave_value_list
+do_follow_modes (arguments& a, int)
+{
+  std::vector<int> many = a.integers ("many", -1);
+  const ComplexMatrix given = a.value ("shapes").complex_matrix_value ();
+  const int total = int (given.columns ());
+  const reals frequency = a.vector ("frequency", total), shapes = as_pairs (given);
+  std::vector<const number *> room (2 * total + 1);
+  std::vector<int> order (total + 1), row (total + 1);
+  const gs_campbell c = { int (given.rows ()), int (many.size ()), total, many.data (),
+                          &frequency[0], &shapes[0] };
+  const int rows = gs_follow_modes (&c, room.data (), order.data (), row.data ());
+  return ovl (from_one (row.data (), total), rows);
+}
+
+// (those of asked_place, states that are held, free inputs, names of the parameters): the verdict,
+// its text; derivatives of states, inputs and outputs of an equilibrium
+static octave_value_list
+do_rest_slopes (arguments& a, int)
+{
+  const asked_place p (a);
+  const std::vector<int> hold = from_zero (a, "hold"), free = from_zero (a, "free");
+  const int np = S.run->nsp;
+  const texts names (a, "names", np);
+  const gs_slopes_asked asked
+      = { int (hold.size ()), int (free.size ()), hold.data (), free.data (), names.data () };
+  reals dx (S.nx * np + 1), dv (S.nv * np + 1), dy (S.ny * np + 1);
+  gs_rest_slopes r = { 0, &dx[0], &dv[0], &dy[0] };
+  gs_linear_told told;
+  gs_slopes_of_rest (&p.start.about, &p.at, &asked, &r, &told);
+  heed (told);
+  return ovl (told.verdict, told.text, result (dx, S.nx, np), result (dv, S.nv, np),
+              r.outputs ? result (dy, S.ny, np) : Matrix (S.ny, np, octave_NaN));
+}
+
+// (nominal magnitudes, a parameter, derivatives of the states by it): the step of differences
+static octave_value_list
+do_family_step (arguments& a, int)
+{
+  const Matrix nominal = a.matrix ("nominal", S.nx, 1);
+  const double p = a.value ("parameter").double_value ();
+  const Matrix dx = a.matrix ("dx", S.nx, 1);
+  return ovl (gs_family_step (S.nx, nominal.data (), p, dx.data ()));
+}
+
+// (eigenvalues, right and left eigenvectors, the change of their matrix): changes of the
+// eigenvalues, of their absolute values and damping ratios
+static octave_value_list
+do_pole_slopes (arguments& a, int)
+{
+  const ComplexColumnVector e = a.value ("poles").complex_column_vector_value ();
+  const int n = int (e.numel ());
+  const ComplexMatrix v = a.value ("right").complex_matrix_value ();
+  const ComplexMatrix w = a.value ("left").complex_matrix_value ();
+  const Matrix da = a.matrix ("change", n, n);
+  ComplexColumnVector poles (n);
+  ColumnVector frequency (n), damping (n);
+  const auto pairs = [] (const Complex *z) { return reinterpret_cast<const double *> (z); };
+  gs_pole_slopes r = { reinterpret_cast<double *> (poles.fortran_vec ()),
+                       frequency.fortran_vec (), damping.fortran_vec () };
+  gs_slopes_of_poles (n, pairs (e.data ()), pairs (v.data ()), pairs (w.data ()), da.data (), &r);
+  return ovl (poles, frequency, damping);
+}
+
 // (planned coordinates; changes of parameters, of the planned coordinates, their speeds and
 // accelerations; derivatives of ILP): changes of all, of efforts and multipliers; whether the loops
 // are singular

@@ -25,7 +25,8 @@ function linear (file)
   r.orient_free = {model(m, m.initial, zeros (m.sizes.nv, 1))};
   fid = fopen (file, "w");
   fputs (fid, jsonencode (struct ("linear", r, "trim", trims (), ...
-                               "modes", vibrations (), "reach", reaches ())));
+                               "modes", vibrations (), "reach", reaches (), ...
+                               "campbell", diagrams ())));
   fclose (fid);
 end
 
@@ -98,6 +99,25 @@ function r = vibration (m, x, varargin)
               "frequency", s.frequency', "damping", s.damping', "eigenvalues", ...
               parts (s.eigenvalues), "shapes", parts (s.shapes), "real", s.real', "rigid", ...
               s.rigid, "x", s.x');
+end
+
+function r = diagrams ()
+  m = gsmbp_fixture ("modes_arm");
+  x = m.initial;
+  r.modes_arm = {diagram(m, x, "theta", [0, 2, 5, 9], "hold", "q1"), ...
+                 diagram(m, x, "theta", [1, 3], "steady", true)};
+  m = gsmbp_fixture ("control_arm");
+  r.control_arm = {diagram(m, [-pi/2; 0; 0; 0], "q2", 0)};
+end
+
+function r = diagram (m, x, spin, speeds, varargin)
+  s = gsmbp_modes (m, x, "spin", spin, "speeds", speeds, varargin{:});
+  part = @(a) struct ("size", size (a), "re", real (a(:))', "im", imag (a(:))');
+  r = struct ("guess", x(:)', "spin", spin, "speeds", speeds, "options", {varargin}, ...
+              "real", {s.real}, "rigid", s.rigid);
+  for name = {"frequency", "damping", "eigenvalues", "shapes", "x"}
+    r.(name{1}) = part (s.(name{1}));
+  end
 end
 
 function r = reaches ()

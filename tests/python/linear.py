@@ -97,6 +97,36 @@ def modes_beside_octave(name, one):
               1e-9)
 
 
+def campbell_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        r = m.campbell(one['guess'], one['spin'], one['speeds'], **options)
+    what = 'campbell of %s by %s%s beside Octave' % (
+        name, one['spin'], ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': rigid modes, sizes', (
+        r.rigid.tolist() == np.ravel(one['rigid']).tolist()
+        and r.shapes.shape == tuple([*np.ravel(one['shapes']['size']), 1][:3])))
+    for part in ('frequency', 'damping', 'eigenvalues', 'shapes', 'x'):
+        wanted = (np.ravel(np.array(one[part]['re'], float))
+                  + 1j * np.ravel(np.array(one[part]['im'], float)))
+        found = np.ravel(getattr(r, part), order='F').astype(complex)
+        holds('%s: %s is known where it is' % (what, part),
+              (np.isnan(found) == np.isnan(wanted)).all())
+        size = np.nanmax(np.abs(np.append(wanted, 1)))
+        close('%s: %s' % (what, part), np.append(np.nan_to_num(found / size), 0),
+              np.append(np.nan_to_num(wanted / size), 0), 1e-9)
+    held = [one['spin'], *listed(options.get('hold', ()))]
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        one_by_one = [m.modes(x, hold=held).frequency for x in r.x.T if not options.get('steady')]
+    for k, frequency in enumerate(one_by_one):
+        column = r.frequency[:, k]
+        close(what + ': as one by one', np.sort(column[~np.isnan(column)]), frequency,
+              1e-12 * np.max(frequency, initial=1))
+
+
 def reach_beside_octave(name, one):
     m = importlib.import_module(name).Model()
     options = dict(zip(one['options'][::2], one['options'][1::2]))
@@ -193,6 +223,10 @@ def refused():
     refuses('a tolerance that is none', ValueError, ['tolerance: expected', '2'],
             arm.trim, x[:2], tolerance=2)
 
+    refuses('speeds that are none', ValueError, ['campbell: speeds: expected finite numbers'],
+            arm.campbell, [0, 0], 'q1', [1, np.nan])
+    refuses('a coordinate that spins and is none', ValueError, ["spin: expected", "'q3'"],
+            arm.campbell, [0, 0], 'q3', [1])
     refuses('matrices off the constraints', ValueError, ['case_03a.mck', 'on the constraints'],
             m.mck, 0, m.initial + 0.1)
     refuses('names of matrices that are none', ValueError, ['case_03a.mck', 'reduced: expected'],
@@ -218,7 +252,8 @@ def refused():
 with open(sys.argv[1], encoding='utf-8') as file:
     FOUND = json.load(file)
 for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
-                     ('modes', modes_beside_octave), ('reach', reach_beside_octave)):
+                     ('modes', modes_beside_octave), ('reach', reach_beside_octave),
+                     ('campbell', campbell_beside_octave)):
     for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
             beside(scene, one)

@@ -37,8 +37,13 @@ function optimize (file)
   plan = gsmbp_plan ("septic", [0.3 2.6], [0 1.5]);
   r.slider = told (gsmbp_set (m, "g", -9.81), {"m3", 2, [0 50]}, {"square", "motor.i"}, {}, ...
                    {"inverse", plan, linspace(0, 1.5, 41)});
+  words = {"hold", "q1", "free", "motor.v"};
+  e = gsmbp_trim (m, gsmbp_assemble (m, [0.3; -0.1; 0.7], "hold", "q1"), 0, words{:});
+  lamp = gsmbp_fixture ("design_lamp");
+  sensitivity = struct ("design_lamp", equilibrium (lamp, gsmbp_trim (lamp, [0; 0], 0), {}), ...
+                        "sensitivity_crank", equilibrium (m, e, words));
   fid = fopen (file, "w");
-  fputs (fid, jsonencode (r));
+  fputs (fid, jsonencode (struct ("designs", r, "sensitivity", sensitivity)));
   fclose (fid);
 end
 
@@ -49,4 +54,17 @@ function one = told (m, varargin)
                 r.evaluations, "texts", {{r.active.text}}, "multipliers", ...
                 {num2cell([r.active.multiplier])}, "conflict", {r.conflict}, ...
                 "problems", r.choices.solved);
+end
+
+function r = equilibrium (m, e, words)
+  s = gsmbp_sensitivity (m, e.x, e.v, words{:});
+  r = struct ("x", e.x', "v", e.v', "options", {words}, "names", {s.names}, ...
+              "poles", pairs (s.poles), "frequency", s.frequency', "damping", s.damping');
+  for part = {"dx", "dv", "dy", "dpoles", "dfrequency", "ddamping"}
+    r.(part{1}) = cellfun (@(name) pairs (s.(part{1}).(name)), s.names, "UniformOutput", false);
+  end
+end
+
+function p = pairs (z)
+  p = struct ("re", real (z(:))', "im", imag (z(:))');
 end

@@ -137,28 +137,35 @@ function [R, D] = rest (P, m, args, options, p, by)
   R = struct ("t", 0, "x", e.x', "v", e.v', "y", gs.run.output_values (m, 0, e.x', e.v'));
   R = gs.model.named_results (m, R);
   R.extra = struct ();
-  if (! all (ismember ({"rhp", "jac"}, m.subroutines)))
-    return;
-  endif
   keep = ismember (options(1:2:end), {"hold", "free", "time"});
   keep = reshape ([keep; keep], 1, []);
+  if (! any (strcmp (m.subroutines, "rhp")))
+    at = [options(find (strcmp (options(1:2:end), "time")) * 2), {0}]{1};
+    R.extra = of_vibrations (gs.linear.state_poles (P.who, m, at, e.x, e.v));
+    return;
+  endif
   s = gsmbp_sensitivity (m, e.x, e.v, options{keep});
-  pages = find (by & strcmp ({P.free.kind}, "parameter"));
+  R.extra = of_vibrations (s);
   [~, slow] = max (real (s.poles));
-  R.extra.decay = -real (s.poles(slow));
-  for i = 1:numel (s.frequency)
-    R.extra.(sprintf ("frequency%d", i)) = s.frequency(i);
-    R.extra.(sprintf ("damping%d", i)) = s.damping(i);
-  endfor
-  for k = pages
+  for k = find (by & strcmp ({P.free.kind}, "parameter"))
     name = P.free(k).name;
     one = struct ("x", s.dx.(name)', "v", s.dv.(name)', "y", s.dy.(name)');
-    one.extra = struct ("decay", -real (s.dpoles.(name)(slow)));
-    for i = 1:numel (s.frequency)
-      one.extra.(sprintf ("frequency%d", i)) = s.dfrequency.(name)(i);
-      one.extra.(sprintf ("damping%d", i)) = s.ddamping.(name)(i);
-    endfor
+    one.extra = of_vibrations (struct ("poles", s.dpoles.(name)(slow), ...
+                                       "frequency", s.dfrequency.(name), ...
+                                       "damping", s.ddamping.(name)));
     D = put (D, one, k, numel (p));
+  endfor
+endfunction
+
+## numbers of an equilibrium by name
+function extra = of_vibrations (s)
+  extra = struct ();
+  if (! isempty (s.poles))
+    extra.decay = -max (real (s.poles));
+  endif
+  for i = 1:numel (s.frequency)
+    extra.(sprintf ("frequency%d", i)) = s.frequency(i);
+    extra.(sprintf ("damping%d", i)) = s.damping(i);
   endfor
 endfunction
 

@@ -43,6 +43,13 @@ gs_loop_modes (const gs_linear_place *at, const gs_vibrations *found, double *va
   return gs_modes_of (gs_loop_about (), at, found, values, vectors, modes, told);
 }
 
+int
+gs_loop_rest_slopes (const gs_linear_place *at, const gs_slopes_asked *asked,
+                     gs_rest_slopes *found, gs_linear_told *told)
+{
+  return gs_slopes_of_rest (gs_loop_about (), at, asked, found, told);
+}
+
 /* bytes of the structures that Python fills and reads as well */
 int
 gs_loop_linear_size (int which)
@@ -51,6 +58,8 @@ gs_loop_linear_size (int which)
                                   sizeof (gs_linear_model), sizeof (gs_linear_told),
                                   sizeof (gs_start), sizeof (gs_trim_asked),
                                   sizeof (gs_trim_found), sizeof (gs_vibrations_asked),
-                                  sizeof (gs_vibrations), sizeof (gs_modes) };
+                                  sizeof (gs_vibrations), sizeof (gs_modes),
+                                  sizeof (gs_campbell), sizeof (gs_slopes_asked),
+                                  sizeof (gs_rest_slopes), sizeof (gs_pole_slopes) };
   return (int)sizes[which];
 }

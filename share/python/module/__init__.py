@@ -9,6 +9,8 @@
     m.trim(x, v)                  an equilibrium or a steady motion
     m.modes(x)                    small vibrations
     m.mck(t, x, v)                their matrices of mass, damping and stiffness
+    m.campbell(x, spin, speeds)   those of a spinning machine, by its speed
+    m.sensitivity(x, v)           an equilibrium, poles and frequencies by parameters
     m.reach(name, P, R)           inverse kinematics
     m.collocate(x0, xf, time=T)   an optimal motion
     m.optimize(free, goal, demands, cases)   a design
@@ -23,17 +25,18 @@ from ._library import DependentWarning, Error, TABLE as table
 from ._linear import LinearModel
 from ._mck import Mck
 from ._model import Model
-from ._modes import Modes
+from ._modes import Campbell, Modes
 from ._motion import Piecewise, plan, table as table_of
 from ._optimize import Optimum
 from ._reach import Reach
 from ._run import Result, RunWarning
+from ._sensitivity import Sensitivity
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Modes', 'Mck', 'Reach', 'Collocation', 'Optimum', 'Piecewise',
-           'plan', 'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Campbell', 'Sensitivity', 'Mck', 'Reach',
+           'Collocation', 'Optimum', 'Piecewise', 'plan', 'table_of', 'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Modes, Mck, Reach, Collocation, Optimum, Piecewise):
+             Trim, Modes, Campbell, Sensitivity, Mck, Reach, Collocation, Optimum, Piecewise):
     _one.__module__ = __name__

@@ -67,6 +67,28 @@ class Modes(NamedTuple):
     rigid: int
     x: Real
 
+class Campbell(NamedTuple):
+    speeds: Real
+    frequency: Real
+    damping: Real
+    shapes: NDArray[np.complex128]
+    eigenvalues: NDArray[np.complex128]
+    real: tuple[Real, ...]
+    rigid: NDArray[np.intp]
+    x: Real
+
+class Sensitivity(NamedTuple):
+    names: tuple[str, ...]
+    dx: dict[str, Real]
+    dv: dict[str, Real]
+    dy: dict[str, Real]
+    poles: NDArray[np.complex128]
+    dpoles: dict[str, NDArray[np.complex128]]
+    frequency: Real
+    dfrequency: dict[str, Real]
+    damping: Real
+    ddamping: dict[str, Real]
+
 class Mck(NamedTuple):
     M: Real
     C: Real
@@ -230,6 +252,13 @@ class Model(Routines):
     def modes(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
               hold: Union[str, Sequence[str]] = (), steady: bool = False, time: float = 0.0,
               start: Literal['check', 'project'] = 'check') -> Modes: ...
+    def campbell(self, x: ArrayLike, spin: str, speeds: ArrayLike,
+                 v: Optional[ArrayLike] = None, *, hold: Union[str, Sequence[str]] = (),
+                 steady: bool = False, time: float = 0.0,
+                 start: Literal['check', 'project'] = 'check') -> Campbell: ...
+    def sensitivity(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+                    hold: Union[str, Sequence[str]] = (), free: Union[str, Sequence[str]] = (),
+                    time: float = 0.0) -> Sensitivity: ...
     def mck(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None, *,
             reduced: Union[str, Sequence[str]] = 'auto',
             drop: Union[str, Sequence[str]] = (),

@@ -27,13 +27,18 @@ def named(who, given):
     return names
 
 
+def need_rates(who):
+    """Derivatives by parameters need RHP."""
+    if 'rhp' not in ROUTINES:
+        raise AttributeError('%s: sensitivity: %s was emitted without the subroutine RHP: derive '
+                             'it with the request sensitivity of gsmbp_package' % (who, NAME))
+
+
 def _refuse(who, model, motion, given):
     """What is not carried with derivatives."""
     devices = TABLE.get('controllers') or []
     bad = None
-    if 'rhp' not in ROUTINES:
-        raise AttributeError('%s: sensitivity: %s was emitted without the subroutine RHP: derive '
-                             'it with the request sensitivity of gsmbp_package' % (who, NAME))
+    need_rates(who)
     model._has(*('con', 'tan', 'cop') * (NLAM > 0), *('ctd',) * bool(devices),
                *('cmp',) * motion, *('evp',) * bool(EVENTS))
     if any(d.get('rounds') for d in devices):

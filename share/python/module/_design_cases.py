@@ -148,9 +148,11 @@ def _possible(case, fields):
         return planned and not case.options and fields_of('inverse', fields)
     if case.kind == 'positions':
         return fields_of('positions', fields)
-    return (case.kind == 'run' and set(fields) <= {'x', 'y', 'v', 'extra'}
-            and 'rhp' in ROUTINES and _plain_run(case)
-            and ('y' not in fields or {'jac', 'oup'} <= ROUTINES.keys())
+    possible = (set(fields) <= {'x', 'y', 'v', 'extra'} and 'rhp' in ROUTINES
+                and ('y' not in fields or {'jac', 'oup'} <= ROUTINES.keys()))
+    if case.kind == 'rest':
+        return possible and 'jac' in ROUTINES
+    return (possible and case.kind == 'run' and _plain_run(case)
             and (not NLAM or ({'con', 'tan', 'cop'} <= ROUTINES.keys() and NQ == NU)))
 
 
@@ -292,15 +294,33 @@ def _at_rest(who, model, given, options, names, starts):
     e = model.trim(*given, **options)
     R = types.SimpleNamespace(t=np.zeros(1), w=np.ones(1), x=e.x[:, None], v=e.v[:, None], extra={})
     _add_outputs(model, R)
-    a = model.linear(options.get('time', 0.0), e.x, e.v).a
-    poles = np.linalg.eigvals(a) if a.size else np.zeros(0)
-    poles = poles[np.argsort(np.abs(poles), kind='stable')]
-    if poles.size:
-        R.extra['decay'] = -poles.real.max()
-    for k, pole in enumerate(poles[poles.imag > 0]):
-        R.extra['frequency%d' % (k + 1)] = abs(pole)
-        R.extra['damping%d' % (k + 1)] = -pole.real / abs(pole)
-    return R, {}
+    parts = {}
+    if 'rhp' in ROUTINES:
+        keep = {name: options[name] for name in ('hold', 'free', 'time') if name in options}
+        s = model.sensitivity(e.x, e.v, **keep)
+        poles, R.extra = s.poles, _of_vibrations(s.poles.real, s.frequency, s.damping)
+        slow = np.argmax(poles.real) if poles.size else 0
+        for name in names:
+            parts[name] = {'x': s.dx[name][:, None], 'v': s.dv[name][:, None],
+                           'y': s.dy[name][:, None], 'extra': _of_vibrations(
+                               s.dpoles[name].real[slow:slow + 1], s.dfrequency[name],
+                               s.ddamping[name])}
+    else:
+        a = model.linear(options.get('time', 0.0), e.x, e.v).a
+        poles = np.linalg.eigvals(a) if a.size else np.zeros(0)
+        up = poles[poles.imag > 0]
+        up = up[np.argsort(np.abs(up), kind='stable')]
+        R.extra = _of_vibrations(poles.real, np.abs(up), -up.real / np.abs(up))
+    return R, parts
+
+
+def _of_vibrations(decay, frequencies, dampings):
+    """Numbers of an equilibrium by name."""
+    extra = {'decay': -decay.max()} if decay.size else {}
+    for k, (frequency, damping) in enumerate(zip(frequencies, dampings)):
+        extra['frequency%d' % (k + 1)] = frequency
+        extra['damping%d' % (k + 1)] = damping
+    return extra
 
 
 def _positions(who, model, given, options, names, starts):

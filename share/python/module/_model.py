@@ -6,7 +6,7 @@ import warnings
 import numpy as np
 
 from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _mck, _modes, _optimize,
-               _reach, _run, _start, _trim)
+               _reach, _run, _sensitivity, _start, _trim)
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -139,6 +139,8 @@ class Model(Routines):
     linear = explained(_linear.linear)
     trim = explained(_trim.trim)
     modes = explained(_modes.modes)
+    campbell = explained(_modes.campbell)
+    sensitivity = explained(_sensitivity.sensitivity)
     mck = explained(_mck.mck)
     reach = explained(_reach.reach)
     collocate = explained(_collocate.collocate)

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import _linear, _run
 from ._library import Error, LIBRARY, NAME, SIZES, at
-from ._structures import Modes as Found, Told, Vibrations, VibrationsAsked
+from ._structures import Modes as Found, ModesOfSpeeds, Told, Vibrations, VibrationsAsked
 
 NQ, NX = SIZES['nq'], SIZES['nx']
 
@@ -16,6 +16,13 @@ mode that oscillates; shapes (nq, n): complex amplitudes of the coordinates (of 
 there are none), the largest one 1; eigenvalues (n,) [1/s] with positive imaginary parts; real:
 those that are real, ascending; rigid: how many are zero; x (nx,): the state about which they
 are."""
+
+
+Campbell = collections.namedtuple(
+    'Campbell', 'speeds frequency damping shapes eigenvalues real rigid x')
+Campbell.__doc__ = """What campbell gives: speeds (k,); frequency, damping, eigenvalues (n, k): a
+row follows one mode by its shape from speed to speed, NaN where it is none; shapes (nq, n, k);
+real: k arrays; rigid (k,); x (nx, k): the states about which they are. The rest as of Modes."""
 
 
 def modes(self, x, v=None, *, hold=(), steady=False, time=0.0, start='check'):
@@ -31,25 +38,89 @@ def modes(self, x, v=None, *, hold=(), steady=False, time=0.0, start='check'):
     who = NAME + '.modes'
     self._has('jac')
     t, x, v = _linear.numbers(who, self, time, x, v)
-    x = _linear.on_constraints(who, self, t, x, start)
+    found, doubt = _at(who, self, (t, x, v), _held(who, self, hold), steady, start)
+    _tell(who, doubt)
+    return found
+
+
+def campbell(self, x, spin, speeds, v=None, *, hold=(), steady=False, time=0.0, start='check'):
+    """The modes about the states x at each of the speeds of the coordinate spin, which is held, as
+    gsmbp_modes of Octave has them with its option "spin". Each speed begins at the state of the one
+    before. Other arguments as of modes. Result: a Campbell.
+    """
+    who = NAME + '.campbell'
+    self._has('jac')
+    t, x, v = _linear.numbers(who, self, time, x, v)
+    held = _held(who, self, [name for name in _linear.listed(who, 'hold', hold) if name != spin])
+    own = _linear.speed_of(who, self, 'spin', spin)
+    speeds = np.asarray(speeds, float).reshape(-1)
+    if not (speeds.size and np.isfinite(speeds).all()):
+        raise ValueError('%s: speeds: expected finite numbers [rad/s or m/s]; found %r' % (
+            who, speeds.tolist()))
+    found, doubts = [], []
+    for speed in speeds:
+        x = x.copy()
+        x[NQ + own[1]] = speed
+        one, doubt = _at(who, self, (t, x, v), [*held, own], steady, start)
+        found.append(one)
+        doubts.append(doubt)
+        x = one.x
+    _tell(who, next((doubt for doubt in doubts if doubt), ''))
+    return _followed(speeds, found)
+
+
+def _held(who, model, names):
+    return [_linear.speed_of(who, model, 'hold', name)
+            for name in _linear.listed(who, 'hold', names)]
+
+
+def _tell(who, doubt):
+    if doubt:
+        warnings.warn('%s: expected an equilibrium or a steady motion; found %s; trim finds one, '
+                      'or steady=True' % (who, doubt), _run.RunWarning, stacklevel=4)
+
+
+def _at(who, model, state, pairs, steady, start):
+    """The modes of one state, and why it is no equilibrium."""
+    t, x, v = state
+    x = _linear.on_constraints(who, model, t, x, start)
     if not isinstance(steady, (bool, np.bool_)):
         raise ValueError('%s: steady: expected True or False; found %r' % (who, steady))
-    pairs = [_linear.speed_of(who, self, 'hold', name)
-             for name in _linear.listed(who, 'hold', hold)]
     asked = VibrationsAsked(steady=bool(steady), nheld=len(pairs))
     asked.put('held', [k for pair in pairs for k in pair] or [0], np.intc)
-    here, found, told = _linear.place(self, t, x, v), Vibrations(), Told()
+    here, found, told = _linear.place(model, t, x, v), Vibrations(), Told()
     for name in ('independent', 'felt'):
         found.put(name, np.zeros(NX + 1), np.intc)
     for name in ('a', 'square', 'tangent'):
         found.put(name, np.zeros(NX * NX + 1))
     found.put('x', np.zeros(NX))
     LIBRARY.gs_loop_vibrate(here.address(), asked.address(), found.address(), told.address())
-    _linear.heed(who, self, told, Error)
-    if found.doubt:
-        warnings.warn('%s: expected an equilibrium or a steady motion; found %s; trim finds one, '
-                      'or steady=True' % (who, found.doubt.decode()), _run.RunWarning, stacklevel=3)
-    return _of(who, self, here, found)
+    _linear.heed(who, model, told, Error)
+    return _of(who, model, here, found), found.doubt.decode()
+
+
+def _followed(speeds, found):
+    """Modes from speed to speed (gs_follow_modes)."""
+    many = [len(one.frequency) for one in found]
+    total, k = sum(many), len(speeds)
+    asked = ModesOfSpeeds(rows=NQ or NX, nspeeds=k, total=total)
+    asked.put('many', many, np.intc)
+    asked.put('frequency', np.concatenate([one.frequency for one in found] + [[0]]))
+    asked.put('shapes', np.concatenate([_pairs(one.shapes)[:-2] for one in found] + [[0]]))
+    row = np.zeros(total + 1, np.intc)
+    n = LIBRARY.gs_follow_modes(asked.address(), at(np.zeros(2 * total + 1)),
+                                at(np.zeros(total + 1, np.intc)), at(row))
+    r = Campbell(speeds, np.full((n, k), np.nan), np.full((n, k), np.nan),
+                 np.full((NQ or NX, n, k), np.nan + 0j), np.full((n, k), np.nan + 0j),
+                 tuple(one.real for one in found), np.array([one.rigid for one in found]),
+                 np.stack([one.x for one in found], axis=1))
+    ends = np.cumsum([0, *many])
+    for i, one in enumerate(found):
+        own = row[ends[i]:ends[i + 1]]
+        for name in ('frequency', 'damping', 'eigenvalues'):
+            getattr(r, name)[own, i] = getattr(one, name)
+        r.shapes[:, own, i] = one.shapes
+    return r
 
 
 def _of(who, model, here, found):

@@ -25,6 +25,9 @@ class _Structure(ctypes.Structure):
         self.kept[name] = value
         setattr(self, name, ctypes.cast(value, _AT))
 
+    def put_texts(self, name, texts):
+        self.keep(name, (_TEXT * (len(texts) + 1))(*[text.encode() for text in texts]))
+
     def put(self, name, numbers, kind=float):
         """An array, by columns; None: a null pointer."""
         if numbers is not None:
@@ -132,9 +135,6 @@ class Place(_Structure):
     _fields_ = [('t', _REAL), *((name, _AT) for name in (
         'cst', 'x', 'v', 'inputs', 'units', 'constraints'))]
 
-    def put_texts(self, name, texts):
-        self.keep(name, (_TEXT * (len(texts) + 1))(*[text.encode() for text in texts]))
-
 
 class Asked(_Structure):
     """gs_linear_asked of the same."""
@@ -196,6 +196,32 @@ class Modes(_Structure):
         'eigenvalues', 'frequency', 'damping', 'shapes', 'real'))]
 
 
+class ModesOfSpeeds(_Structure):
+    """gs_campbell of the same."""
+
+    _fields_ = [('rows', _INT), ('nspeeds', _INT), ('total', _INT), *((name, _AT) for name in (
+        'many', 'frequency', 'shapes'))]
+
+
+class SlopesAsked(_Structure):
+    """gs_slopes_asked of the same."""
+
+    _fields_ = [('nhold', _INT), ('ninputs', _INT), ('hold', _AT), ('inputs', _AT),
+                ('names', _AT)]
+
+
+class RestSlopes(_Structure):
+    """gs_rest_slopes of the same."""
+
+    _fields_ = [('outputs', _INT), ('dx', _AT), ('dv', _AT), ('dy', _AT)]
+
+
+class PoleSlopes(_Structure):
+    """gs_pole_slopes of the same."""
+
+    _fields_ = [('poles', _AT), ('frequency', _AT), ('damping', _AT)]
+
+
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
@@ -203,6 +229,7 @@ for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
 for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound,
-                             VibrationsAsked, Vibrations, Modes)):
+                             VibrationsAsked, Vibrations, Modes, ModesOfSpeeds, SlopesAsked,
+                             RestSlopes, PoleSlopes)):
     if LIBRARY.gs_loop_linear_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another linear.h' % NAME)

@@ -42,6 +42,16 @@ gs_jacobian_there (gs_work *w, const gs_real *x, const gs_real *v, gs_real *a, g
 }
 
 int
+gs_slopes_there (gs_work *w, const gs_real *x, const gs_real *v, gs_real *p, gs_real *a, gs_real *b,
+                 gs_real *xd)
+{
+  const gs_scene *s = w->s;
+  if (! s->rhp)
+    return gs_work_failed (w, GS_LINEAR_ABSENT, "rhp", 0);
+  return usable (w, "rhp", s->rhp (w->t, x, v, w->cst, p, s->nx, a, s->nx, b, s->nx, xd));
+}
+
+int
 gs_first_not_finite (int m, int n, const gs_real *a, int *row, int *column)
 {
   int found = 0;

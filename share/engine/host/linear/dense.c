@@ -82,11 +82,17 @@ int
 gs_no_derivative (gs_work *w, const char *of, const char *row, int column)
 {
   const int nx = w->s->nx;
+  return gs_no_derivative_by (w, of, row, column < nx ? w->d->states[column]
+                                                      : w->at->inputs[column - nx]);
+}
+
+int
+gs_no_derivative_by (gs_work *w, const char *of, const char *row, const char *by)
+{
   char name[300];
   gs_writer said = gs_work_refused (w, GS_LINEAR_DERIVATIVE);
   snprintf (name, sizeof name, "%s%s", of, row);
-  gs_put (&said, gs_refusals.no_derivative, name,
-          column < nx ? w->d->states[column] : w->at->inputs[column - nx]);
+  gs_put (&said, gs_refusals.no_derivative, name, by);
   return w->told->verdict;
 }
 

@@ -149,6 +149,56 @@ typedef struct
 int gs_modes_of (const gs_description *d, const gs_linear_place *at, const gs_vibrations *r,
                  gs_real *e, const gs_real *v, gs_modes *modes, gs_linear_told *told);
 
+/* the modes at some speeds, one behind another */
+typedef struct
+{
+  int rows, nspeeds, total; /* of a shape; speeds; modes in all */
+  const int *many;          /* nspeeds: how many modes each speed has */
+  const gs_real *frequency; /* total */
+  const gs_real *shapes;    /* (2,rows,total) */
+} gs_campbell;
+
+/* row (total): which row of a diagram each mode is of, from 0: that of the most alike shape at the
+ * speeds before; rows rise in frequency where they begin. How many rows there are. room: 2*total
+ * pointers; order: total */
+int gs_follow_modes (const gs_campbell *c, const gs_real **room, int *order, int *row);
+
+/* -------------------------------------------------------------- equilibria and their parameters */
+
+typedef struct
+{
+  int nhold, ninputs;
+  const int *hold;          /* nhold states that keep their value */
+  const int *inputs;        /* ninputs that follow */
+  const char *const *names; /* nsp: of the parameters of RHP */
+} gs_slopes_asked;
+
+/* by the parameters of RHP; the arrays are the caller's */
+typedef struct
+{
+  int outputs;              /* 1: dy is known */
+  gs_real *dx, *dv, *dy;    /* (nx,nsp), (nv,nsp), (ny,nsp) */
+} gs_rest_slopes;
+
+/* how the equilibrium at->x, at->v changes with parameters, by one linear system: the verdict */
+int gs_slopes_of_rest (const gs_description *d, const gs_linear_place *at,
+                       const gs_slopes_asked *asked, gs_rest_slopes *found, gs_linear_told *told);
+
+/* the step of differences of order 6 by a parameter p along equilibria that change by dx (nx) */
+double gs_family_step (int nx, const double *nominal, double p, const double *dx);
+
+/* the arrays are the caller's */
+typedef struct
+{
+  double *poles;              /* (2,n); NaN of a multiple eigenvalue */
+  double *frequency, *damping; /* n: of its absolute value and damping ratio */
+} gs_pole_slopes;
+
+/* how the eigenvalues e (2,n) of a matrix with the right and left eigenvectors v, w (2,n,n),
+ * w' a = e w', change where the matrix changes by da (n,n) */
+void gs_slopes_of_poles (int n, const double *e, const double *v, const double *w,
+                         const double *da, gs_pole_slopes *found);
+
 #ifdef __cplusplus
 }
 #endif

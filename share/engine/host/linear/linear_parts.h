@@ -37,6 +37,7 @@ int gs_work_failed (gs_work *w, int verdict, const char *routine, int info);
 gs_writer gs_work_refused (gs_work *w, int verdict);
 /* the derivative of the row by the column, a state or nx + an input, is not finite */
 int gs_no_derivative (gs_work *w, const char *of, const char *row, int column);
+int gs_no_derivative_by (gs_work *w, const char *of, const char *row, const char *by);
 
 /* ------------------------------------------------------------------------------------- matrices */
 
@@ -72,6 +73,10 @@ int gs_is_among (int k, int n, const int *list);
 int gs_rates_there (gs_work *w, gs_real t, const gs_real *x, const gs_real *v, gs_real *xd);
 int gs_jacobian_there (gs_work *w, const gs_real *x, const gs_real *v, gs_real *a, gs_real *b,
                        gs_real *c, gs_real *d);
+
+/* RHP: the rates by parameters, states and inputs, and the rates */
+int gs_slopes_there (gs_work *w, const gs_real *x, const gs_real *v, gs_real *p, gs_real *a,
+                     gs_real *b, gs_real *xd);
 
 /* the first entry of a (m,n) that is not finite, an infinite one before others; 0: none */
 int gs_first_not_finite (int m, int n, const gs_real *a, int *row, int *column);
