@@ -12,7 +12,11 @@ function new = from_cache (who, target, compiler, key, make, place)
   new = fullfile (folder, [name kind]);
   [~, key] = system (sprintf ("echo %s | %s key %s", key, script, compiler));
   call = @(task) system (sprintf ("%s %s %s %s", script, task, strtrim (key), quote (folder)));
-  if (call ("take") != 0 || isempty (stat (new)))
+  taken = call ("take");
+  if (taken == 3)
+    error (["%s: cannot write %s: is the disk full, or a limit on the size of files reached " ...
+            "(ulimit -f)?"], who, new);
+  elseif (taken != 0 || isempty (stat (new)))
     tell (who, system ([script " folder >/dev/null"]) == 0);
     made = fullfile (place, make (place));
     gs.files.make_folder (who, folder);
