@@ -10,6 +10,7 @@ function test_builds ()
   unwind_protect
     by_contents (build, fullfile (folder, "motor_pendulum.f"));
     in_turn (build);
+    folders (folder);
   unwind_protect_cleanup
     confirm_recursive_rmdir (false, "local");
     rmdir (folder, "s");
@@ -63,6 +64,21 @@ function in_turn (build)
   [~, status] = waitpid (pid);
   gsmbp_check ("two at once: both are well", status == 0 && build ().par.g == 9.81);
   gsmbp_check ("and one of them compiled", stat (m.file).ino == built);
+end
+
+## two sessions make the same new folders
+function folders (folder)
+  here = fileparts (fileparts (which ("gsmbp_build")));
+  make = sprintf (["addpath (\"%s/octave\"); while (isempty (stat (\"%s/go\"))), end, " ...
+                   "for k = 1:200, gs.files.make_folder (\"x\", " ...
+                   "sprintf (\"%s/%%d/a/b/c\", k)); end, exit (0)"], here, folder, folder);
+  for k = 1:2
+    [~, ~, pid(k)] = popen2 ("octave-cli", {"-qf", "--eval", make});
+  end
+  pause (1);
+  put (fullfile (folder, "go"), "");
+  [~, status] = arrayfun (@waitpid, pid);
+  gsmbp_check ("two at once make the same folders", ! any (status));
 end
 
 function put (file, text)
