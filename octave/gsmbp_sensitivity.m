@@ -116,9 +116,12 @@ endfunction
 ## the derivative of a function of model, states and inputs along a family of equilibria
 function D = along (m, f, x, v, dx, dv, name)
   p = m.par.(name);
-  h = m.module ("family step", m.nominal, p, dx);
-  g = @(s) f (gsmbp_set (m, name, p + s * h), x + s * h * dx, v + s * h * dv);
-  D = (45 * (g (1) - g (-1)) - 9 * (g (2) - g (-2)) + (g (3) - g (-3))) / (60 * h);
+  [steps, factors] = m.module ("family steps", m.nominal, p, dx);
+  D = 0;
+  for k = 1:numel (steps)
+    s = steps(k);
+    D += factors(k) * f (gsmbp_set (m, name, p + s), x + s * dx, v + s * dv);
+  endfor
 endfunction
 
 %!error <without the subroutine RHP>

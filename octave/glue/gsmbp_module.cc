@@ -67,7 +67,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "linear", do_linear }, { "trim", do_trim },
         { "tangent", do_tangent }, { "modes", do_modes },
         { "followed modes", do_follow_modes }, { "rest slopes", do_rest_slopes },
-        { "family step", do_family_step }, { "pole slopes", do_pole_slopes },
+        { "family steps", do_family_steps }, { "pole slopes", do_pole_slopes },
          { "loop slopes", do_loop_slopes }, { "close", do_close },
          { "axes", do_axes }, { "choose", do_choose }, { "free", do_free },
          { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },

@@ -243,11 +243,12 @@ do_follow_modes (arguments& a, int)
   const ComplexMatrix given = a.value ("shapes").complex_matrix_value ();
   const int total = int (given.columns ());
   const reals frequency = a.vector ("frequency", total), shapes = as_pairs (given);
-  std::vector<const number *> room (2 * total + 1);
-  std::vector<int> order (total + 1), row (total + 1);
+  std::vector<int> row (total + 1);
   const gs_campbell c = { int (given.rows ()), int (many.size ()), total, many.data (),
                           &frequency[0], &shapes[0] };
-  const int rows = gs_follow_modes (&c, room.data (), order.data (), row.data ());
+  const int rows = gs_follow_modes (&c, row.data ());
+  if (rows < 0)
+    throw std::bad_alloc ();
   return ovl (from_one (row.data (), total), rows);
 }
 
@@ -271,14 +272,18 @@ do_rest_slopes (arguments& a, int)
               r.outputs ? result (dy, S.ny, np) : Matrix (S.ny, np, octave_NaN));
 }
 
-// (nominal magnitudes, a parameter, derivatives of the states by it): the step of differences
+// (nominal magnitudes, a parameter, derivatives of the states by it): steps and factors of
+// differences
 static octave_value_list
-do_family_step (arguments& a, int)
+do_family_steps (arguments& a, int)
 {
   const Matrix nominal = a.matrix ("nominal", S.nx, 1);
   const double p = a.value ("parameter").double_value ();
   const Matrix dx = a.matrix ("dx", S.nx, 1);
-  return ovl (gs_family_step (S.nx, nominal.data (), p, dx.data ()));
+  RowVector steps (6), factors (6);
+  gs_family_steps (S.nx, nominal.data (), p, dx.data (), steps.fortran_vec (),
+                   factors.fortran_vec ());
+  return ovl (steps, factors);
 }
 
 // (eigenvalues, right and left eigenvectors, the change of their matrix): changes of the

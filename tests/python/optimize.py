@@ -17,6 +17,7 @@ import numpy as np
 
 import design_fourbar
 import design_lamp
+import design_rotor
 import sensitivity_bounce
 import sensitivity_crank
 from checks import close, holds, refuses
@@ -59,6 +60,9 @@ def problems():
     found['rest'] = quiet(
         LAMP.changed(mc=8).optimize, ('k', 50, (1, 1000)), ('value', 'k'), [
             ('end', 'frequency1', '>', 4), ('end', 'decay', '>', 0)], ('rest', [0, 0], [0]))
+    found['double_pole'] = quiet(
+        design_rotor.Model().optimize, ('k', 20, (1, 1000)), ('value', 'k'),
+        ('end', 'frequency1', '>', 30), ('rest', [0] * 6, [], {'hold': 's'}))
     found['branch'] = quiet(
         bare.optimize, [('mc', 1, set(0.3 + 0.13 * np.arange(50))),
                         ('lc', 0.1, set(0.05 + 0.0137 * np.arange(40)))],
@@ -153,6 +157,15 @@ def slopes():
         close('the slope of %s, %.6g' % (word, wanted), r.active[0]['multiplier'], wanted,
               1e-6 * max(1, abs(wanted)))
         holds('... inside', word != 'settling' or 0 < r.J < 1.9)
+
+
+def whirl():
+    """The rotor: w^2 + Jp*W/Jd*w - k/Jd = 0 of backward, with the other sign of forward whirl."""
+    m, W = design_rotor.Model(), np.array([0.0, 10.0, 30.0, 60.0])
+    half = m.parameters['Jp'] * W / m.parameters['Jd'] / 2
+    middle = np.sqrt(m.parameters['k'] / m.parameters['Jd'] + half ** 2)
+    found = m.campbell(np.zeros(6), 's', W).frequency
+    close('a Campbell diagram by hand', found, [middle - half, middle + half], 1e-12 * 100)
 
 
 def balance():
@@ -432,6 +445,7 @@ if __name__ == '__main__':
     beside_octave(FOUND['designs'])
     sensitivity_beside_octave(FOUND['sensitivity'])
     slopes()
+    whirl()
     balance()
     least_effort()
     motions()

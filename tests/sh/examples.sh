@@ -12,7 +12,7 @@ check 'a second make examples does nothing' fails grep -q 'share/make\|octave-cl
 check 'all examples derive' make_ $(ls examples/*/run.m |
   sed 's,examples/,fortran_out/,; s,/run.m$,.f,')
 
-for name in puma560 slider_crank; do
+for name in $few; do
   for file in inverse_dynamics.csv open_loop.csv; do
     check "$name wrote $file" test -s "examples/$name/out/$file"
   done

@@ -1,6 +1,6 @@
 # Designs of modules of Python beside those of Octave (tests/python: optimize.m, optimize.py): a
-# lamp, a ball with events, a crank, a four-bar; closed forms; choices, contradictions; refusals;
-# Ctrl-C, timeout.
+# lamp, a rotor, a ball with events, a crank, a four-bar; closed forms; choices, contradictions;
+# refusals; Ctrl-C, timeout.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -11,8 +11,9 @@ for name in ipopt nlopt; do
     exit 0
   fi
 done
-python_packages ', requests' design_lamp design_fourbar sensitivity_bounce sensitivity_crank
-python_modules 'gsmbp_package(scene, python) of four scenes'
+python_packages ', requests' design_lamp design_fourbar design_rotor sensitivity_bounce \
+  sensitivity_crank
+python_modules 'gsmbp_package(scene, python) of five scenes'
 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" \
   --path "$root/tests/python" --eval "optimize (\"$work/octave.json\")" >"$report" 2>&1
 told $? 'optimize.m ends' "$report"

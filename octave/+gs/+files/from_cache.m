@@ -15,7 +15,7 @@ function new = from_cache (who, target, compiler, key, make, place)
   taken = call ("take");
   if (taken == 3)
     error (["%s: cannot write %s: is the disk full, or a limit on the size of files reached " ...
-            "(ulimit -f)?"], who, new);
+            "(ulimit -f)?"], who, target);
   elseif (taken != 0 || isempty (stat (new)))
     tell (who, system ([script " folder >/dev/null"]) == 0);
     made = fullfile (place, make (place));

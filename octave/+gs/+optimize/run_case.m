@@ -14,6 +14,9 @@ function [R, D, rough] = run_case (P, c, p, by)
   rough = by & by_differences (P, c, p);
   [R, D] = values (P, c, p, by & ! rough);
   R = weighted (P, c, R);
+  if (strcmp (c.kind, "rest"))
+    rough |= unknown (D, numel (p));
+  endif
   for k = find (rough)
     D = put (D, differenced (P, c, p, k), k, numel (p));
   endfor
@@ -155,6 +158,16 @@ function [R, D] = rest (P, m, args, options, p, by)
                                        "damping", s.ddamping.(name)));
     D = put (D, one, k, numel (p));
   endfor
+endfunction
+
+## the free variables by which a pole has no derivative: a multiple one
+function is = unknown (D, n)
+  is = false (1, n);
+  if (isfield (D, "extra"))
+    for value = struct2cell (D.extra)'
+      is |= isnan (reshape (value{1}, 1, n));
+    endfor
+  endif
 endfunction
 
 ## numbers of an equilibrium by name

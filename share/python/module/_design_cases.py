@@ -12,6 +12,7 @@ from ._design_structures import differences, weights
 from ._derivatives import CHANGES, EVENTS, KNOWN
 from ._library import Error, NAME, ROUTINES, SIZES, TABLE
 from ._motion import Piecewise, as_piecewise
+from ._sensitivity import oscillations
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 ROWS = ('x', 'v', 'y', 'points', 'tau', 'lam', 'margins', 'state_margins')   # (rows, times)
@@ -52,6 +53,8 @@ class Cases:
         names = [one.name for one, k in zip(self.free, np.array(by) & ~rough)
                  if k and one.kind != 'own']
         R, parts = self._made(case, p, names)
+        if case.kind == 'rest':
+            rough |= [one.name in parts and _is_unknown(parts[one.name]) for one in self.free]
         D = {}
         if case.kind in _CHAINED and (by & ~rough).any():
             D = self._chained(case, p, R, by & ~rough)
@@ -298,8 +301,8 @@ def _at_rest(who, model, given, options, names, starts):
     if 'rhp' in ROUTINES:
         keep = {name: options[name] for name in ('hold', 'free', 'time') if name in options}
         s = model.sensitivity(e.x, e.v, **keep)
-        poles, R.extra = s.poles, _of_vibrations(s.poles.real, s.frequency, s.damping)
-        slow = np.argmax(poles.real) if poles.size else 0
+        R.extra = _of_vibrations(s.poles.real, s.frequency, s.damping)
+        slow = np.argmax(s.poles.real) if s.poles.size else 0
         for name in names:
             parts[name] = {'x': s.dx[name][:, None], 'v': s.dv[name][:, None],
                            'y': s.dy[name][:, None], 'extra': _of_vibrations(
@@ -308,10 +311,14 @@ def _at_rest(who, model, given, options, names, starts):
     else:
         a = model.linear(options.get('time', 0.0), e.x, e.v).a
         poles = np.linalg.eigvals(a) if a.size else np.zeros(0)
-        up = poles[poles.imag > 0]
-        up = up[np.argsort(np.abs(up), kind='stable')]
-        R.extra = _of_vibrations(poles.real, np.abs(up), -up.real / np.abs(up))
+        poles = poles[np.argsort(np.abs(poles), kind='stable')]
+        R.extra = _of_vibrations(poles.real, *oscillations(poles))
     return R, parts
+
+
+def _is_unknown(part):
+    """A multiple pole has no derivatives."""
+    return bool(np.isnan([*part['extra'].values()]).any())
 
 
 def _of_vibrations(decay, frequencies, dampings):

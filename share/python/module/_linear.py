@@ -68,7 +68,7 @@ def _made(who, model, here, asked):
             'output ' + model.outputs[found.row], _by(model, found.column))), _run.RunWarning,
                       stacklevel=5)
     n, m = found.n, found.m
-    a, b, c, d, tangent = (_matrix(found.kept[name], *shape) for name, shape in (
+    a, b, c, d, tangent = (matrix(found.kept[name], *shape) for name, shape in (
         ('a', (n, n)), ('b', (n, NV)), ('c', (m, n)), ('d', (m, NV)), ('tangent', (NX, n))))
     independent, dropped, seen = (found.kept[name][:many].astype(int) for name, many in (
         ('independent', n), ('dropped', found.ndropped), ('seen', m)))
@@ -82,7 +82,8 @@ def _made(who, model, here, asked):
                        tuple(names[seen]), tangent, independent, dropped)
 
 
-def _matrix(numbers, rows, columns):
+def matrix(numbers, rows, columns):
+    """Numbers by columns, of which there may be more."""
     return numbers[:rows * columns].reshape((rows, columns), order='F').copy()
 
 

@@ -53,10 +53,7 @@ def campbell(self, x, spin, speeds, v=None, *, hold=(), steady=False, time=0.0, 
     t, x, v = _linear.numbers(who, self, time, x, v)
     held = _held(who, self, [name for name in _linear.listed(who, 'hold', hold) if name != spin])
     own = _linear.speed_of(who, self, 'spin', spin)
-    speeds = np.asarray(speeds, float).reshape(-1)
-    if not (speeds.size and np.isfinite(speeds).all()):
-        raise ValueError('%s: speeds: expected finite numbers [rad/s or m/s]; found %r' % (
-            who, speeds.tolist()))
+    speeds = _speeds(who, speeds)
     found, doubts = [], []
     for speed in speeds:
         x = x.copy()
@@ -67,6 +64,15 @@ def campbell(self, x, spin, speeds, v=None, *, hold=(), steady=False, time=0.0, 
         x = one.x
     _tell(who, next((doubt for doubt in doubts if doubt), ''))
     return _followed(speeds, found)
+
+
+def _speeds(who, given):
+    speeds = np.atleast_1d(np.asarray(given))
+    if (speeds.dtype.kind not in 'fiu' or speeds.ndim != 1 or not speeds.size
+            or not np.isfinite(speeds).all()):
+        raise ValueError('%s: speeds: expected finite numbers [rad/s or m/s]; found %r' % (
+            who, given))
+    return speeds.astype(float)
 
 
 def _held(who, model, names):
@@ -108,8 +114,9 @@ def _followed(speeds, found):
     asked.put('frequency', np.concatenate([one.frequency for one in found] + [[0]]))
     asked.put('shapes', np.concatenate([_pairs(one.shapes)[:-2] for one in found] + [[0]]))
     row = np.zeros(total + 1, np.intc)
-    n = LIBRARY.gs_follow_modes(asked.address(), at(np.zeros(2 * total + 1)),
-                                at(np.zeros(total + 1, np.intc)), at(row))
+    n = LIBRARY.gs_follow_modes(asked.address(), at(row))
+    if n < 0:
+        raise MemoryError(NAME + '.campbell')
     r = Campbell(speeds, np.full((n, k), np.nan), np.full((n, k), np.nan),
                  np.full((NQ or NX, n, k), np.nan + 0j), np.full((n, k), np.nan + 0j),
                  tuple(one.real for one in found), np.array([one.rigid for one in found]),

@@ -10,7 +10,6 @@ from ._library import Error, LIBRARY, NAME, SIZES, at
 from ._structures import PoleSlopes, RestSlopes, SlopesAsked, Told
 
 NQ, NX, NV, NY = (SIZES[k] for k in ('nq', 'nx', 'nv', 'ny'))
-LIBRARY.gs_family_step.restype = ctypes.c_double
 
 Sensitivity = collections.namedtuple(
     'Sensitivity', 'names dx dv dy poles dpoles frequency dfrequency damping ddamping')
@@ -49,8 +48,7 @@ def sensitivity(self, x, v=None, *, hold=(), free=(), time=0.0):
     LIBRARY.gs_loop_rest_slopes(_linear.place(self, t, x, v).address(), asked.address(),
                                 found.address(), told.address())
     _linear.heed(who, self, told)
-    dx, dv, dy = (found.kept[name][:-1].reshape((-1, len(KNOWN)), order='F') if rows
-                  else np.zeros((0, len(KNOWN)))
+    dx, dv, dy = (_linear.matrix(found.kept[name], rows, len(KNOWN))
                   for name, rows in (('dx', NX), ('dv', NV), ('dy', NY)))
     if not found.outputs:
         dy = np.full((NY, len(KNOWN)), np.nan)
@@ -80,9 +78,15 @@ def _of_poles(who, model, state, dx, dv):
         slopes[0][:, k] = found.kept['poles'].view(complex)
         slopes[1][:, k], slopes[2][:, k] = found.kept['frequency'], found.kept['damping']
     up = e.imag > 0
-    sizes = np.abs(e[up])
-    return (e, _by_names(slopes[0]), sizes, _by_names(slopes[1][up]), -e.real[up] / sizes,
+    frequency, damping = oscillations(e)
+    return (e, _by_names(slopes[0]), frequency, _by_names(slopes[1][up]), damping,
             _by_names(slopes[2][up]))
+
+
+def oscillations(poles):
+    """Frequencies and damping ratios of the poles with positive imaginary part."""
+    up = poles[poles.imag > 0]
+    return np.abs(up), -up.real / np.abs(up)
 
 
 def _eigenvectors(a):
@@ -100,13 +104,11 @@ def _eigenvectors(a):
 def _along(who, model, state, slopes, name, states):
     """The derivative of the Jacobian by a parameter, along the equilibria that follow it."""
     (t, x, v), (dx, dv), p = state, slopes, model.parameters[name]
-    h = LIBRARY.gs_family_step(ctypes.c_int(NX), at(model.nominal), ctypes.c_double(p),
-                               at(np.ascontiguousarray(dx)))
-
-    def there(s):
-        changed = model.changed(**{name: p + s * h})
-        return _linear.at_state(who, changed, t, x + s * h * dx, v + s * h * dv,
-                                states if states else 'none', ()).a
-    change = (45 * (there(1) - there(-1)) - 9 * (there(2) - there(-2)) + there(3) - there(-3)) / (
-        60 * h)
+    steps, factors = np.zeros(6), np.zeros(6)
+    LIBRARY.gs_family_steps(ctypes.c_int(NX), at(model.nominal), ctypes.c_double(p),
+                            at(np.ascontiguousarray(dx)), at(steps), at(factors))
+    change = 0
+    for s, factor in zip(steps, factors):
+        changed = model.changed(**{name: p + s})
+        change += factor * _linear.at_state(who, changed, t, x + s * dx, v + s * dv, states, ()).a
     return change.ravel(order='F')

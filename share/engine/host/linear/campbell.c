@@ -1,5 +1,6 @@
 /* campbell.c: modes followed by their shapes from speed to speed. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "host/linear/linear_parts.h"
 
@@ -19,37 +20,38 @@ likeness (int rows, const gs_real *a, const gs_real *b)
 }
 
 /* rows of the n modes of one speed: each that of the most alike shape which a row had last, or a
- * new one; last (nrows): where the shapes lie. How many rows there are then */
+ * new one; last (nrows): where the shapes lie. How many rows there are then; -1: no memory */
 static int
-join (int rows, int n, const gs_real *const *shapes, int nrows, const gs_real **last, int *row)
+join (int rows, int n, const gs_real *shapes, int nrows, const gs_real **last, int *row)
 {
+  const int pairs = n * nrows, size = 2 * rows;
+  gs_real *like = calloc ((size_t)pairs + 1, sizeof *like);   /* (nrows,n) */
+  if (! like)
+    return -1;
+  for (int k = 0; k < pairs; k++)
+    like[k] = likeness (rows, last[k % nrows], shapes + size * (k / nrows));
   for (int j = 0; j < n; j++)
     row[j] = -1;
   for (;;)
     {
-      gs_real best = GS_R (0.5);
-      int mode = -1, to = -1;
-      for (int j = 0; j < n; j++)
-        for (int i = 0; i < nrows && row[j] < 0; i++)
-          if (! gs_is_among (i, n, row))
-            {
-              const gs_real like = likeness (rows, last[i], shapes[j]);
-              if (like > best)
-                {
-                  best = like;
-                  mode = j;
-                  to = i;
-                }
-            }
-      if (mode < 0)
+      int best = 0;
+      for (int k = 1; k < pairs; k++)
+        best = like[k] > like[best] ? k : best;
+      if (! (like[best] > GS_R (0.5)))
         break;
-      row[mode] = to;
+      const int own = best % nrows, mode = best / nrows;
+      row[mode] = own;
+      for (int j = 0; j < n; j++)
+        like[own + nrows * j] = 0;
+      gs_zero (nrows, like + nrows * mode);
     }
+  free (like);
   for (int j = 0; j < n; j++)
-    if (row[j] < 0)
-      row[j] = nrows++;
-  for (int j = 0; j < n; j++)
-    last[row[j]] = shapes[j];
+    {
+      if (row[j] < 0)
+        row[j] = nrows++;
+      last[row[j]] = shapes + size * j;
+    }
   return nrows;
 }
 
@@ -77,18 +79,10 @@ stands_behind (const gs_campbell *c, const int *row, int a, int b)
   return 0;
 }
 
-int
-gs_follow_modes (const gs_campbell *c, const gs_real **room, int *order, int *row)
+/* the rows (nrows) in their order, which row is to follow */
+static void
+sort_rows (const gs_campbell *c, int nrows, int *order, int *row)
 {
-  const gs_real **last = room;
-  int nrows = 0, first = 0;
-  for (int k = 0; k < c->nspeeds; first += c->many[k++])
-    {
-      const gs_real **shapes = room + c->total;
-      for (int j = 0; j < c->many[k]; j++)
-        shapes[j] = c->shapes + (ptrdiff_t)2 * c->rows * (first + j);
-      nrows = join (c->rows, c->many[k], shapes, nrows, last, row + first);
-    }
   for (int i = 0; i < nrows; i++)
     {
       int at = i;
@@ -97,11 +91,25 @@ gs_follow_modes (const gs_campbell *c, const gs_real **room, int *order, int *ro
       order[at] = i;
     }
   for (int j = 0; j < c->total; j++)
-    for (int i = 0; i < nrows; i++)
-      if (order[i] == row[j])
-        {
-          row[j] = i;
-          break;
-        }
+    {
+      int at = 0;
+      while (order[at] != row[j])
+        at++;
+      row[j] = at;
+    }
+}
+
+int
+gs_follow_modes (const gs_campbell *c, int *row)
+{
+  const gs_real **last = calloc ((size_t)c->total + 1, sizeof *last);
+  int *order = calloc ((size_t)c->total + 1, sizeof *order), nrows = last && order ? 0 : -1;
+  for (int k = 0, first = 0; k < c->nspeeds && nrows >= 0; first += c->many[k++])
+    nrows = join (c->rows, c->many[k], c->shapes + (ptrdiff_t)2 * c->rows * first, nrows, last,
+                  row + first);
+  if (nrows > 0)
+    sort_rows (c, nrows, order, row);
+  free (order);
+  free (last);
   return nrows;
 }

@@ -159,9 +159,8 @@ typedef struct
 } gs_campbell;
 
 /* row (total): which row of a diagram each mode is of, from 0: that of the most alike shape at the
- * speeds before; rows rise in frequency where they begin. How many rows there are. room: 2*total
- * pointers; order: total */
-int gs_follow_modes (const gs_campbell *c, const gs_real **room, int *order, int *row);
+ * speeds before; rows rise in frequency where they begin. How many rows there are; -1: no memory */
+int gs_follow_modes (const gs_campbell *c, int *row);
 
 /* -------------------------------------------------------------- equilibria and their parameters */
 
@@ -184,8 +183,10 @@ typedef struct
 int gs_slopes_of_rest (const gs_description *d, const gs_linear_place *at,
                        const gs_slopes_asked *asked, gs_rest_slopes *found, gs_linear_told *told);
 
-/* the step of differences of order 6 by a parameter p along equilibria that change by dx (nx) */
-double gs_family_step (int nx, const double *nominal, double p, const double *dx);
+/* differences of order 6 by a parameter p along equilibria that change by dx (nx): at p + steps (6)
+ * the factors (6) */
+void gs_family_steps (int nx, const double *nominal, double p, const double *dx, double *steps,
+                      double *factors);
 
 /* the arrays are the caller's */
 typedef struct

@@ -245,14 +245,23 @@ gs_slopes_of_rest (const gs_description *d, const gs_linear_place *at,
   return gs_work_end (&w);
 }
 
-double
-gs_family_step (int nx, const double *nominal, double p, const double *dx)
+void
+gs_family_steps (int nx, const double *nominal, double p, const double *dx, double *steps,
+                 double *factors)
 {
+  static const double weights[] = { 45, -9, 1 };
   double h = 1e-2 * (p < 0 ? -p : p > 0 ? p : 1), most = 1;
   for (int i = 0; i < nx; i++)
     {
       const double part = h * (dx[i] < 0 ? -dx[i] : dx[i]) / (1e-2 * nominal[i]);
       most = part > most ? part : most;
     }
-  return h / most;
+  h /= most;
+  for (int k = 0; k < 3; k++)
+    {
+      steps[2 * k] = (k + 1) * h;
+      steps[2 * k + 1] = -steps[2 * k];
+      factors[2 * k] = weights[k] / (60 * h);
+      factors[2 * k + 1] = -factors[2 * k];
+    }
 }
