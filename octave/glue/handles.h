@@ -124,6 +124,7 @@ static const known_routine known[]
         { "cor", "coriolis", "", "" },
         { "pnt", "points", "", "" },
         { "jpt", "point_jacobians", "", "" },
+        { "pnj", "pose_jacobians", "", "" },
         { "ind", "independent", "", "" },
         { "red", "reduced", "", "" },
         { "jpi", "independent_jacobians", "", "" },

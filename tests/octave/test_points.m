@@ -7,6 +7,21 @@ function test_points ()
   against_reference ("points_puma", "points_puma560");
   against_reference ("points_scara", "points_scara");
   operations (gsmbp_fixture ("points_puma"));
+  in_one_call (gsmbp_fixture ("points_puma"));
+end
+
+## PNJ is PNT and JPT, in fewer operations
+function in_one_call (m)
+  q = linspace (-2, 3, m.sizes.nq)';
+  [P, R] = m.pnt (0, q);
+  J = m.jpt (0, q, zeros (m.sizes.nu, 1));
+  [P1, R1, J1] = m.pnj (0, q);
+  gsmbp_check ("points_puma: poses and Jacobians in one call", ...
+               max (abs ([P1(:) - P(:); R1(:) - R(:); J1(:) - J(:)])), 1e-15);
+  count = @(word) m.json.subroutines(strcmp (m.subroutines, word)).operations;
+  both = [count("pnt"), count("jpt")];
+  gsmbp_check ("points_puma: operations of PNJ, of those of both", ...
+               (count ("pnj").mul + count ("pnj").add) / sum ([both.mul, both.add]), 0.5);
 end
 
 ## multiplications and additions of J and (dJ/dt) u of the three frames, as measured

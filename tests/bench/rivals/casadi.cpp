@@ -1,7 +1,7 @@
 // CasADi: Pinocchio's algorithms traced with CasADi's symbols (as pinocchio.casadi does), its
 // common subexpressions, its C code.
 //
-// casadi MODEL.txt lit|num FOLDER: writes FOLDER/id.c, fd.c, mm.c, each with f_<word>, and par.c,
+// casadi MODEL.txt lit|num FOLDER: writes FOLDER/id.c, fd.c, mm.c, jac.c, each with f_<word>, and par.c,
 // the parameters' values (lit: numbers that are not 0 are parameters). Prints a line for each:
 // word, CPU seconds of graph, cse and C code, mul, add, div, sqrt, trig.
 #include <pinocchio/autodiff/casadi.hpp>
@@ -39,6 +39,26 @@ static void count(const ::casadi::Function &f, int c[5]) {
   }
 }
 
+// of the accelerations without torques, by q and v: those of the inverse dynamics at them, and the
+// mass matrix by L*D*L'
+static S derivatives(const ModelTpl<S> &model, const S &q, const S &v, int n) {
+  DataTpl<S> data(model);
+  const Vector Q = entries(q, n), V = entries(v, n);
+  const S a = S::sym("ddq", n);
+  aba(model, data, Q, V, Vector(Vector::Zero(n)), Convention::LOCAL);
+  const S ddq = column(data.ddq);
+  rnea(model, data, Q, V, entries(a, n));
+  const S tau = column(data.tau);
+  crba(model, data, Q, Convention::LOCAL);
+  S M(n, n), D, LT;
+  for (int i = 0; i < n; i++)
+    for (int j = i; j < n; j++) M(i, j) = M(j, i) = data.M(i, j);
+  std::vector<casadi_int> p;
+  S right = substitute(jacobian(tau, vertcat(q, v)), a, ddq);
+  ldl(densify(M), D, LT, p, false);
+  return vec(densify(-ldl_solve(right, D, LT, p)));
+}
+
 int main(int, char **argv) {
   const bool literal = std::string(argv[2]) == "lit";
   const std::string folder = argv[3];
@@ -55,12 +75,13 @@ int main(int, char **argv) {
   const S q = S::sym("q", n), v = S::sym("v", n), a = S::sym("a", n), p = S::vertcat(symbols);
   const Vector Q = entries(q, n), V = entries(v, n), A = entries(a, n);
   const double reading = cpu() - start;
-  for (std::string word : {"id", "fd", "mm"}) {
+  for (std::string word : {"id", "fd", "mm", "jac"}) {
     start = cpu();
     DataTpl<S> data(model);
     S out;
     if (word == "id") { rnea(model, data, Q, V, A); out = column(data.tau); }
     else if (word == "fd") { aba(model, data, Q, V, A, Convention::LOCAL); out = column(data.ddq); }
+    else if (word == "jac") out = derivatives(model, q, v, n);
     else {
       crba(model, data, Q, Convention::LOCAL);
       out = S(n * n, 1);

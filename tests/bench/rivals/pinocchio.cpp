@@ -1,10 +1,11 @@
 // Pinocchio behind the common interface: init(model.txt); id, mm; fd by articulated bodies in world
-// axes, in link axes, by mass matrix and Cholesky.
+// axes, in link axes, by mass matrix and Cholesky; jac, the derivatives of that without torques.
 #include "model.hpp"
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/cholesky.hpp>
+#include <pinocchio/algorithm/aba-derivatives.hpp>
 using namespace pinocchio;
 typedef Eigen::Map<const Eigen::VectorXd> In;
 typedef Eigen::Map<Eigen::VectorXd> Out;
@@ -36,6 +37,14 @@ void fd_mass(const double *q, const double *v, const double *tau, double *o) {
   cholesky::decompose(model, *data);
   x = In(tau, n) - nonLinearEffects(model, *data, In(q, n), In(v, n));
   cholesky::solve(model, *data, x);
+}
+
+void jac(const double *q, const double *v, const double *, double *o) {
+  computeABADerivatives(model, *data, In(q, n), In(v, n), Eigen::VectorXd::Zero(n));
+  for (int k = 0; k < n * n; k++) {
+    o[k] = data->ddq_dq.data()[k];
+    o[n * n + k] = data->ddq_dv.data()[k];
+  }
 }
 
 void mm(const double *q, const double *, const double *, double *o) {

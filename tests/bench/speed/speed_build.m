@@ -1,8 +1,9 @@
 ## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for
 ## driver.c; CPU seconds of the compiler for each mode.
 ##
-## jobs: struct array with who, mode, word (id, fd, mm, lin), library, start (file of its init),
-## symbol, outputs. The last is the quad build. Flags as for CasADi's code, -O3 -march=native; the
+## jobs: struct array with who, mode, word (id, fd, mm, lin, jac; least: FD, LIN and their solution, which jac
+## takes at least), library, start (file of its init),
+## symbol, outputs. The last are the quad builds. Flags as for CasADi's code, -O3 -march=native; the
 ## batches (lit_v, num_v) have what gsmbp_build adds for them.
 
 function [jobs, seconds] = speed_build (s, out)
@@ -13,6 +14,9 @@ function [jobs, seconds] = speed_build (s, out)
   if (any (strcmp ({s.derive.requests}, "LIN")) && n <= 16)    # gfortran takes minutes beyond
     parts(end+1,:) = {"_lin", "gsmbp", {"lin", 3 * n^2}};
   end
+  if (any (strcmp ({s.derive.requests}, "JAC")))
+    parts(end+1,:) = {"_jac", "gsmbp", {"jac", 4 * n^2, "least", 4 * n^2}};
+  end
   if (any (strcmp ({s.derive.requests}, "batch")))
     parts(end+1,:) = {"_v", "gsmbp_batch", {"id", n, "fd", n, "mm", n^2}};
   end
@@ -20,8 +24,8 @@ function [jobs, seconds] = speed_build (s, out)
     for part = parts'
       m = [mode{1} part{1}];
       library = fullfile (s.folder, [m ".so"]);
-      define = {"", "-DLIN", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_v"})};
-      flags = ["-O3 -march=native" {"", batch_flags()}{1 + strcmp(part{1}, "_v")}];
+      define = {"", "-DLIN", "-DJAC", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_jac", "_v"})};
+      flags = ["-O3 -march=native" {"", batch_flags()}{1 + any(strcmp (part{1}, {"_jac", "_v"}))}];
       seconds.(m) = compile (s, m, "double", library, flags, define, runtime (out, "double"));
       for one = reshape (part{3}, 2, [])
         jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, ...
@@ -33,6 +37,12 @@ function [jobs, seconds] = speed_build (s, out)
   compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", runtime (out, "quad"));
   for word = {"id", "fd"}
     jobs(end+1) = speed_job ("gsmbp", "quad", word{1}, library, s.model, word{1}, 2 * s.n);
+  end
+  if (any (strcmp ({s.derive.requests}, "JAC")))
+    library = fullfile (s.folder, "quad_jac.so");
+    compile (s, "lit_jac", "quad", library, "-O1 -freal-8-real-16", "-DQUAD -DJAC", ...
+             runtime (out, "quad"));
+    jobs(end+1) = speed_job ("gsmbp", "quad", "jac", library, s.model, "jac", 8 * n^2);
   end
 end
 

@@ -33,6 +33,7 @@ function [jobs, made] = speed_rivals (s, peers, cap)
       {"pinocchio", "pinocchio", "id", "id"; "pinocchio", "pinocchio", "fd", "fd"; ...
        "pinocchio_local", "pinocchio", "fd", "fd_local"
              "pinocchio_mass", "pinocchio", "fd", "fd_mass"; "pinocchio", "pinocchio", "mm", "mm"
+             "pinocchio", "pinocchio", "jac", "jac"
              "mujoco", "mujoco", "id", "id"; "mujoco", "mujoco", "fd", "fd"; "mujoco_lean", ...
                  "mujoco", "id", "id_lean"; "mujoco_lean", "mujoco", "fd", "fd_lean"}'
     jobs(end+1) = speed_job (one{1}, "num", one{3}, fullfile (peers, [one{2} ".so"]), s.model, ...
@@ -50,7 +51,7 @@ function [jobs, made, complete] = derived (s, who, command, mode, cap)
   [~, text, status] = speed_cpu (sprintf ("ulimit -t %d; %s '%s' %s '%s' 2>'%s/log'", cap, ...
                                    command, s.model, mode, folder, folder));
   complete = status == 0;
-  words = regexp (text, '^(id|fd|mm) ([^\n]*)$', "tokens", "lineanchors");
+  words = regexp (text, '^(id|fd|mm|jac) ([^\n]*)$', "tokens", "lineanchors");
   library = fullfile (folder, "rival.so");
   if (! isempty (words))
     sources = sprintf (" '%s'", ...
@@ -66,12 +67,12 @@ function [jobs, made, complete] = derived (s, who, command, mode, cap)
                           "operations", numbers(2:6), "compile", compile);
     jobs(end+1) = speed_job (who, mode, w{1}{1}, library, "-", w{1}{1}, outputs (s, w{1}{1}));
   end
-  for w = setdiff ({"id", "fd", "mm"}, {made.word})
+  for w = setdiff ({"id", "fd", "mm", "jac"}, {made.word})
     made(end+1) = struct ("who", who, "mode", mode, "word", w{1}, "cpu", Inf, "operations", ...
                           NaN (1, 5), "compile", 0);
   end
 end
 
 function k = outputs (s, word)
-  k = s.n ^ (1 + strcmp (word, "mm"));
+  k = s.n ^ (1 + any (strcmp (word, {"mm", "jac"}))) * (1 + strcmp (word, "jac"));
 end

@@ -4,7 +4,7 @@
 ## s: name, scene (its name in Fortran), n, loop (whether it has loops: then no model.txt), folder,
 ## model; derive: mode, requests (M+bias, FD, all: ID, M, bias, FD; LIN, batch), CPU seconds; modes
 ## ("lit": parameters at run time, "num": compiled in); operations.MODE.WORD: mul add div sqrt trig
-## (words inv mas fwd lin); passes: mode, word and operations of inv mas fwd lin (NaN: not asked
+## (words inv mas fwd lin jac); passes: mode, word and operations of inv mas fwd lin (NaN: not asked
 ## for) without trig, the passes added up.
 
 function s = speed_system (name, out)
@@ -16,7 +16,7 @@ function s = speed_system (name, out)
   [~, ~] = mkdir (s.folder);
   s.derive = struct ("mode", {}, "requests", {}, "cpu", {});
   for mode = {"lit", "num"}
-    for part = {"", "_lin", "_v"}
+    for part = {"", "_lin", "_jac", "_v"}
       [~, ~] = mkdir (fullfile (s.folder, [mode{1} part{1}]));
     end
     [spent, named] = ...
@@ -42,6 +42,11 @@ function s = speed_system (name, out)
     if (any (strcmp ({s.derive.requests}, "LIN")))
       s.operations.(mode{1}).lin = speed_operations (fullfile (s.folder, [mode{1} "_lin"], ...
             [s.scene ".json"])).lin;
+    end
+    s.operations.(mode{1}).jac = NaN (1, 5);
+    if (any (strcmp ({s.derive.requests}, "JAC")))
+      s.operations.(mode{1}).jac = speed_operations (fullfile (s.folder, [mode{1} "_jac"], ...
+            [s.scene ".json"])).jac;
     end
   end
   s.passes = struct ("mode", {}, "word", {}, "inv", {}, "mas", {}, "fwd", {}, "lin", {});
