@@ -24,8 +24,8 @@ DESTDIR :=
         test-lineage test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
-        bench-points bench-reach bench-robots bench-peers same architecture doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report packages-screen \
+        bench-points bench-poses bench-reach bench-robots bench-peers same architecture doc manual \
+        install uninstall package clean packages-manual packages-pdf packages-report packages-screen \
         check-environment check-report check-screen check-notebook check-portable packages-fmu \
         check-fmu packages-mpi packages-slurm check-slurm packages-cross
 
@@ -103,6 +103,8 @@ make bench-collocation     tests/bench/collocation.md: the program of an optimal
                            and evaluated; PEERS=1: CasADi from PyPI beside
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
+make bench-poses           tests/bench/poses.md: place, axes and J of a tool in one routine;
+                           PEERS=1: CasADi from PyPI beside
 make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
                            dynamics (make bench has it, too); PEERS=1: EAIK from PyPI beside
 make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
@@ -292,6 +294,12 @@ bench-stiff: packages compiled
 	@mkdir -p tests/bench/out
 	STIFF='$(STIFF)' $(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/stiff.m \
 	  </dev/null
+
+bench-poses: packages compiled
+	@mkdir -p tests/bench/out
+	$(if $(PEERS),@tests/bench/rivals/setup tests/bench/out/peers)
+	PEERS='$(if $(PEERS),$(CURDIR)/tests/bench/out/peers)' $(ONE_THREAD) timeout -k 10 3600 \
+	  $(OCTAVE) tests/bench/poses.m </dev/null
 
 bench-flexible bench-collocation bench-points bench-reach: bench-%: packages compiled
 	@mkdir -p tests/bench/out
