@@ -7,7 +7,8 @@
 (defun $gs__load_lisp_file (file)
   (handler-bind ((style-warning #'muffle-warning)) ($load file)))
 
-;;; name of a file, without .mac -> its statements, and the time of the file that held them
+;;; name of a file, without .mac -> its size and its statements, and the time of the file that held
+;;; them
 (defvar *gs-statements* nil)
 (defvar *gs-statements-time* 0)
 
@@ -24,6 +25,11 @@
          (*read-base* 10)
          (*read-default-float-format* 'double-float))
      ,@body))
+
+(defun gs-file-size (path) (with-open-file (in path) (file-length in)))
+;;; the sizes of the Lisp files when they were compiled, in their order: share/make/compile sets it
+(defvar *gs-compiled-sizes* nil)
+(defun $gs__as_compiled (paths) (equal (mapcar #'gs-file-size (cdr paths)) *gs-compiled-sizes*))
 
 (defun gs-source (here name) (concatenate 'string here name ".mac"))
 ;;; an expression without the places in its file that Maxima notes in it, ((op (line file src)) ...)
@@ -42,7 +48,8 @@
   (with-open-file (out path :direction :output :if-exists :supersede)
     (gs-with-plain-syntax
       (dolist (name (cdr names))
-        (prin1 (cons name (gs-statements-of (gs-source here name))) out)
+        (let ((path (gs-source here name)))
+          (prin1 (list* name (gs-file-size path) (gs-statements-of path)) out))
         (terpri out))
       (prin1 :whole out)))
   '$done)
@@ -71,8 +78,10 @@
 (defun $gs__load_source (here name)
   (let* ((path (gs-source here name))
          (known (assoc name *gs-statements* :test #'string=)))
-    (if (and known (< (file-write-date path) *gs-statements-time*))
-        (mapc #'meval* (cdr known))
+    (if (and known
+             (< (file-write-date path) *gs-statements-time*)
+             (= (gs-file-size path) (cadr known)))
+        (mapc #'meval* (cddr known))
         ($load path))
     '$done))
 ;;; The files of the list `names`. Maxima looks up each function that it defines in its list
