@@ -62,7 +62,8 @@ sleep 1.1
 sed -i 's/gsmbp_marked : 7/gsmbp_marked : 42/' gsmbp/elsewhere.mac   # as of another version:
 touch -d 2001-01-01 gsmbp/elsewhere.mac   # it may be older than what was compiled
 check 'a .mac file that is older, of another size, is seen' \
-  share/make/maxima "$work/out.txt" 'load("gsmbp/gsmbp.mac")$ if gsmbp_marked # 42 then gs__exit(1)$'
+  share/make/maxima "$work/out.txt" \
+    'load("gsmbp/gsmbp.mac")$ if gsmbp_marked # 42 then gs__exit(1)$'
 compile
 check 'and its statements are read anew' grep -q 'GSMBP_MARKED.*42' "$parsed"
 printf '(defvar *gs-marked* 42)\n' >>gsmbp/tape/code.lisp

@@ -9,6 +9,13 @@ import casadi as ca
 
 COUNTED = {ca.OP_MUL: 0, ca.OP_SQ: 0, ca.OP_TWICE: 0, ca.OP_ADD: 1, ca.OP_SUB: 1, ca.OP_SIN: 2,
            ca.OP_COS: 2}
+CALL = """extern double p[];
+void %s(const double *q, const double *v, const double *a, double *o) {
+  const double *in[3] = {q, v, p};
+  double *out[1] = {o};
+  f_%s(in, out, 0, 0, 0);
+}
+"""
 TOOL = [0.05, 0.02, 0.1]
 
 
@@ -53,9 +60,7 @@ def main():
         code = ca.CodeGenerator(word + '.c')
         code.add(f)
         with open('%s/%s.c' % (folder, word), 'w') as file:
-            file.write(code.dump() + 'extern double p[];\nvoid %s(const double *q, const double *v, '
-                       'const double *a, double *o) { const double *in[3] = {q, v, p}; double '
-                       '*out[1] = {o}; f_%s(in, out, 0, 0, 0); }\n' % (word, word))
+            file.write(code.dump() + CALL % (word, word))
         count = [0, 0, 0]
         for k in range(f.n_instructions()):
             if f.instruction_id(k) in COUNTED:

@@ -1,8 +1,8 @@
 ## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for
 ## driver.c; CPU seconds of the compiler for each mode.
 ##
-## jobs: struct array with who, mode, word (id, fd, mm, lin, jac; least: FD, LIN and their solution, which jac
-## takes at least), library, start (file of its init),
+## jobs: struct array with who, mode, word (id, fd, mm, lin, jac; least: FD, LIN and their solution,
+## which jac takes at least), library, start (file of its init),
 ## symbol, outputs. The last are the quad builds. Flags as for CasADi's code, -O3 -march=native; the
 ## batches (lit_v, num_v) have what gsmbp_build adds for them.
 
