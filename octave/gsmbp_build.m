@@ -109,7 +109,9 @@
 ## their Jacobians in ground axes side by side, 6 x @var{nu}*@var{np}, rows vx, vy, vz of the
 ## point, wx, wy, wz; and (dJ/dt)*u, 6 x @var{np}; m.pnt_v, m.jpt_v for many states
 ## @item [P, R, J] = m.pnj (t, q)
-## places, axes and Jacobians in one call, without (dJ/dt)*u (request @code{pose_jacobians})
+## places, axes and Jacobians in one call (request @code{pose_jacobians})
+## @item [P, R, J, dJu] = m.pnr (t, q, u)
+## the same with (dJ/dt)*u (request @code{pose_rates})
 ## @item g = m.gra (t, q), n = m.cor (t, q, u)
 ## gravity, and Coriolis and centripetal efforts, parts of the bias (requests @code{gravity},
 ## @code{coriolis})

@@ -125,6 +125,7 @@ static const known_routine known[]
         { "pnt", "points", "", "" },
         { "jpt", "point_jacobians", "", "" },
         { "pnj", "pose_jacobians", "", "" },
+        { "pnr", "pose_rates", "", "" },
         { "ind", "independent", "", "" },
         { "red", "reduced", "", "" },
         { "jpi", "independent_jacobians", "", "" },

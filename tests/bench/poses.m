@@ -1,6 +1,6 @@
 ## poses.m: pose and Jacobian of a frame at the end of a chain, called by `make bench-poses`:
-## emitted PNJ, and PNT and JPT one after the other, beside CasADi in the Python environment that
-## rivals/setup makes (PEERS: its folder; left out: ours alone). Writes poses.md beside itself.
+## emitted PNJ and PNR (with (dJ/dt) u), PNT and JPT one after the other, beside CasADi in the
+## Python environment that rivals/setup makes (PEERS: its folder; left out: ours alone). Writes poses.md beside itself.
 
 1;
 ## the scene of a system with a frame at its last link, as FOLDER/NAME.mac
@@ -11,7 +11,7 @@ function with_frame (system, n, folder)
                            "hy = 0.02*m, hz = 0.1*m, "], n));
   [~, name] = fileparts (system);
   file = fopen (fullfile (folder, [name ".mac"]), "w");
-  fputs (file, [text "requests : [points, point_jacobians, pose_jacobians]$\n"]);
+  fputs (file, [text "requests : [points, point_jacobians, pose_jacobians, pose_rates]$\n"]);
   fclose (file);
 end
 
@@ -35,6 +35,7 @@ for name = {"puma3", "puma6", "spat6", "pend8", "spat16"}
                        name{1}, root, here));
   library = fullfile (s.folder, "ours.so");
   jobs = [speed_job("gsmbp", "lit", "pj", library, "-", "pj", 12 + 6 * n), ...
+          speed_job("gsmbp", "lit", "pjd", library, "-", "pjd", 18 + 6 * n), ...
           speed_job("two", "lit", "pj", library, "-", "both", 18 + 6 * n)];
   if (! isempty (peers))
     speed_cpu (sprintf (["'%s/share/make/maxima' '%s/log' 'load(\"%s/gsmbp/gsmbp.mac\")$ " ...
@@ -48,27 +49,27 @@ for name = {"puma3", "puma6", "spat6", "pend8", "spat16"}
     jobs = [jobs, speed_job("casadi", "lit", "pj", library, "-", "pj", 12 + 6 * n), ...
             speed_job("casadi_rate", "lit", "pj", library, "-", "pjd", 18 + 6 * n)];
   end
-  jobs(1).start = jobs(2).start = s.model;    # its init is called with it
+  [jobs(1:3).start] = deal (s.model);    # their init is called with it
   X = speed_states (s, "random", 256);
   values = speed_run (s, X, jobs, "values");
   ns = speed_run (s, X, jobs, "time", 41);
   one = @(k) sprintf ("%.1f", median (ns(k,:)));
-  row = {name{1}, one(1), one(2), sprintf("%.2f", median (ns(1,:) ./ ns(2,:)))};
-  if (numel (jobs) > 2)
-    off = max (max (abs (values{1} - values{3})));
-    off = max (off, max (max (abs (values{2} - values{4}))));
-    row = [row, {one(3), sprintf("%.2f", median (ns(1,:) ./ ns(3,:))), one(4), ...
-                 sprintf("%.2f", median (ns(2,:) ./ ns(4,:))), sprintf("%.1e", off)}];
+  ratio = @(k, l) sprintf ("%.2f", median (ns(k,:) ./ ns(l,:)));
+  row = {name{1}, one(1), one(2), one(3), ratio(1, 3), ratio(2, 3)};
+  if (numel (jobs) > 3)
+    off = max (max (abs (values{1} - values{4})));
+    off = max (off, max (max (abs (values{2} - values{5}))));
+    row = [row, {one(4), ratio(1, 4), one(5), ratio(2, 5), sprintf("%.1e", off)}];
   end
   lines{end+1} = row;
 end
-head = {"system", "PNJ ns", "PNT + JPT ns", "PNJ : both", "CasADi ns", "PNJ : CasADi", ...
-        "CasADi with (dJ/dt) u ns", "PNT + JPT : that", "largest difference"};
+head = {"system", "PNJ ns", "PNR ns", "PNT + JPT ns", "PNJ : both", "PNR : both", "CasADi ns", ...
+        "PNJ : CasADi", "CasADi with (dJ/dt) u ns", "PNR : that", "largest difference"};
 text = speed_table ("Pose and Jacobian of a tool", ...
                     ["Place, axes and Jacobian of a frame at the end of a chain, parameters at " ...
                      "run time, medians of 41 rounds\nin which all take turns. CasADi: the " ...
                      "chain with its symbols, J by its derivative and columns of axes,\ncse. " ...
-                     "PNT + JPT have (dJ/dt) u, too."], head(1:numel (lines{1})), lines);
+                     "PNR and PNT + JPT have (dJ/dt) u, too."], head(1:numel (lines{1})), lines);
 if (isempty (text))
   error ("bench-poses: the table is empty");
 end

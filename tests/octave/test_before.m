@@ -10,7 +10,8 @@ function test_before ()
   end
   addpath (fullfile (root, "tests", "before"));
   scenes = before_scenes (root, "");
-  before_check (scenes(ismember ({scenes.name}, share ())), fullfile (data, "runs.txt"));
+  before_check (scenes(ismember ({scenes.name}, share ())), fullfile (data, "runs.txt"), ...
+                fullfile (data, "rounding.txt"));
 end
 
 function names = share ()

@@ -10,14 +10,18 @@ function test_points ()
   in_one_call (gsmbp_fixture ("points_puma"));
 end
 
-## PNJ is PNT and JPT, in fewer operations
+## PNJ and PNR are PNT and JPT, in fewer operations
 function in_one_call (m)
   q = linspace (-2, 3, m.sizes.nq)';
   [P, R] = m.pnt (0, q);
-  J = m.jpt (0, q, zeros (m.sizes.nu, 1));
+  u = linspace (1, -2, m.sizes.nu)';
+  [J, dJu] = m.jpt (0, q, u);
   [P1, R1, J1] = m.pnj (0, q);
   gsmbp_check ("points_puma: poses and Jacobians in one call", ...
                max (abs ([P1(:) - P(:); R1(:) - R(:); J1(:) - J(:)])), 1e-15);
+  [P1, R1, J1, d1] = m.pnr (0, q, u);
+  gsmbp_check ("points_puma: with rates", ...
+               max (abs ([P1(:) - P(:); R1(:) - R(:); J1(:) - J(:); d1(:) - dJu(:)])), 1e-14);
   count = @(word) m.json.subroutines(strcmp (m.subroutines, word)).operations;
   both = [count("pnt"), count("jpt")];
   gsmbp_check ("points_puma: operations of PNJ, of those of both", ...
