@@ -1,6 +1,7 @@
 ## poses.m: pose and Jacobian of a frame at the end of a chain, called by `make bench-poses`:
 ## emitted PNJ and PNR (with (dJ/dt) u), PNT and JPT one after the other, beside CasADi in the
-## Python environment that rivals/setup makes (PEERS: its folder; left out: ours alone). Writes poses.md beside itself.
+## Python environment that rivals/setup makes (PEERS: its folder; left out: ours alone). Writes
+## poses.md beside itself.
 
 1;
 ## the scene of a system with a frame at its last link, as FOLDER/NAME.mac
