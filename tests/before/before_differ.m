@@ -1,6 +1,6 @@
 ## lines = before_differ (m, then, now, whole)
 ## Say how the run NOW of the model M differs from THEN (before_run), sentences in a row of cells,
-## empty if nothing does; if not WHOLE, in INFO, identifiers of errors and warnings alone. 
+## empty if nothing does; if not WHOLE, in INFO, identifiers of errors and warnings alone.
 ## Equal must be: INFO, identifiers and texts of errors, identifiers of
 ## warnings, number, names, order and modes of events. Of a run that failed on its way rounding
 ## makes the numbers: its message has the same words up to the margins that it has passed, the time
