@@ -96,6 +96,8 @@ static const known_routine known[]
         { "prj", "projection", "t <x cst >res(1/nresidual) info", "" },
         { "jac", "jacobian",
           "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info", "" },
+        { "jad", "jacobian_dense",
+          "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info", "" },
         { "out", "output", "t x ?v cst >y(ny) info", "" },
         { "cmd", "command", "t qj ?xi cst >v >xid(na) info", "" },
         { "cmx", "command_states", "t qj ?xi cst >v >xid(na) >xa(na) >g(nmar) info", "" },
