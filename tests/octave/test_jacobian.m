@@ -20,7 +20,8 @@ function test_jacobian ()
   end
   m = gsmbp_set (gsmbp_fixture ("batch_bars"), "lc", 0.25, "ld", 0.7);
   flat = [0; 0; 0; 1; -1; 1; zeros(m.sizes.nx - 6, 1)];
-  gsmbp_check ("a flat parallelogram, whose constraints have lost rank", apart (m, flat, [0; 0]), 0);
+  gsmbp_check ("a flat parallelogram, whose constraints have lost rank", ...
+               apart (m, flat, [0; 0]), 0);
   [A, ~, ~, ~, info] = m.jac (0, flat, [0; 0]);
   gsmbp_check ("... has a Jacobian", all (isfinite (A(:))) && info == 0);
 end
