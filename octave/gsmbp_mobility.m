@@ -97,8 +97,12 @@ function r = gsmbp_mobility (m, x, t = 0)
                              "%s; close it by gsmbp_assemble"], m.name, t,
              m.module ("worst", scaled, found, 1e-6));
     endif
-    ## rows have units of their own: a row counts by its direction
-    size_ = sqrt (sum (H .^ 2, 2));
+    ## rows have units of their own: a row counts by its direction, unless it has vanished
+    [~, ~, initial] = m.con (t, m.initial(1:d.nq), zeros (d.nu, 1));
+    sizes = @(H) sqrt (sum (H .^ 2, 2));
+    size_ = sizes (H);
+    gone = size_ <= 1e-7 * sizes (initial);
+    size_(gone) = sizes (initial)(gone);
     size_(size_ == 0) = 1;
     [U, S, ~] = svd (H ./ size_);
     s = diag (S(1:min (size (S)),1:min (size (S))));

@@ -3,6 +3,7 @@
 ## react_cut_c, react_link are one four-bar), rows that were left out count.
 
 function test_mobility ()
+  folded ();
   names = {"react_cut_b", "react_cut_c", "react_link"};
   told = cell (1, 3);
   for i = 1:3
@@ -40,6 +41,15 @@ function test_mobility ()
                                        "command")).reason, "no actuators")));
   marks (gsmbp_fixture ("react_change"));
   once (gsmbp_fixture ("redundant_bricard"));
+end
+
+## a crank as long as its rod, folded: the row of y is a rounding error there, no direction
+function folded ()
+  m = gsmbp_set (gsmbp_fixture ("sensitivity_crank"), "l1", 0.5);
+  r = gsmbp_mobility (m, [pi/2; -pi; zeros(m.sizes.nx - 2, 1)]);
+  gsmbp_check ("a row that has vanished has no rank", [r.rank, r.mobility] - [1, 2], 0);
+  r = gsmbp_mobility (m, [pi/3; -2*pi/3; 0.5; zeros(m.sizes.nx - 3, 1)]);
+  gsmbp_check ("... elsewhere it has", [r.rank, r.mobility] - [2, 1], 0);
 end
 
 function x = closed (m)

@@ -154,17 +154,24 @@ def _again(parameters):
         return Model(**parameters)
 
 
-# the requests of subroutines that a module calls by itself
-_REQUESTS = {'jac': 'jacobian', 'cmd': 'command', 'rha': 'audit', 'ene': 'energy',
-             'dae': 'collocation', 'daj': 'collocation', 'dah': 'collocation'}
+# the requests of subroutines
+_REQUESTS = {
+    'rhs': 'rhs', 'out': 'output', 'jac': 'jacobian', 'kin': 'kinematics', 'inv': 'inverse',
+    'mas': 'mass', 'bia': 'bias', 'fwd': 'forward', 'lin': 'linear', 'con': 'constraints',
+    'inl': 'inverse_loops', 'acc': 'accelerations', 'clo': 'closure', 'prj': 'projection',
+    'tan': 'tangent', 'cmd': 'command', 'rha': 'audit', 'ene': 'energy', 'pnt': 'points',
+    'jpt': 'point_jacobians', 'pnj': 'pose_jacobians', 'pnr': 'pose_rates', 'gra': 'gravity',
+    'cor': 'coriolis', 'ske': 'skeleton', 'reg': 'regressor', 'rhp': 'sensitivity',
+    'adj': 'adjoint', 'dae': 'collocation', 'daj': 'collocation', 'dah': 'collocation'}
 
 
 def _why(name):
-    """Why the scene was emitted without a subroutine, where that is known."""
+    """Why the scene was emitted without a subroutine, or how to have it."""
+    request = _REQUESTS.get(name)
     for row in TABLE.get('left_out') or []:
-        if row['request'] == _REQUESTS.get(name):
+        if row['request'] == request and 'made on request' not in row['reason']:
             return ': ' + row['reason']
-    return ''
+    return ': derive it with the request %s of gsmbp_fortran' % request if request else ''
 
 
 def _unknown(name, names):
