@@ -71,6 +71,7 @@ function s = signatures ()
                     4}}, "rhs", {{"t x v", 2}}, "acc", {{"t x v", 2}}, "acd", {{"t x v way", ...
                     4}},
               "tan", {{"t x", 2}}, "prj", {{"t x", 2}}, "jac", {{"t x v", 2}},
+              "jad", {{"t x v", 2}}, "pnj", {{"t q", 2}}, "pnr", {{"t q u", 3}},
               "rhp", {{"t x v", 2}}, "inp", {{"t q u ud v", 4}}, "oup", {{"t x v", 2}},
               "ilp", {{"t q u ud v taua lam", 7}}, "evp", {{"t x v mode k", 5}},
               "adj", {{"t x v l", 4}},
