@@ -262,11 +262,16 @@ bench-c: packages-test compiled
 	  tests/bench/c_speed.py $$flags || exit 1; done
 	GSMBP_TIMES=yes tests/run sh/python
 
+# $(call reported,NAME,COMMAND): the command writes tests/bench/NAME.md anew, every table with rows
+define reported
+@mkdir -p tests/bench/out
+@rm -f tests/bench/$(1).md
+$(2)
+@tests/bench/filled tests/bench/$(1).md
+endef
+
 bench: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/report.md
-	timeout -k 10 7200 $(OCTAVE) tests/bench/run.m </dev/null
-	@tests/bench/filled tests/bench/report.md
+	$(call reported,report,timeout -k 10 7200 $(OCTAVE) tests/bench/run.m </dev/null)
 	$(if $(PEERS),$(MAKE) --no-print-directory bench-peers)
 
 bench-peers: packages compiled
@@ -276,55 +281,36 @@ bench-peers: packages compiled
 	@for peer in scipy mpmath drake; do \
 	  tests/bench/rivals/environment tests/bench/out/peers $$peer || \
 	    echo "bench-peers: $$peer is not to be had and left out"; done
-	@rm -f tests/bench/peers.md
-	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/peers.m \
-	  </dev/null
-	@tests/bench/filled tests/bench/peers.md
+	$(call reported,peers,$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/peers.m </dev/null)
 
 bench-passages: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/passages.md
-	RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
-	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
-	@tests/bench/filled tests/bench/passages.md
+	$(call reported,passages,RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
+	  timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null)
 
 bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-long bench-index2 \
 bench-ensemble bench-sweep bench-control: bench-%: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/$*.md
-	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null
-	@tests/bench/filled tests/bench/$*.md
+	$(call reported,$*,$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null)
 
 bench-sweep: fortran_out/slider_crank.f fortran_out/slider_crank.json
 
 bench-devices: bench-stiff
 bench-stiff: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/stiff.md
-	STIFF='$(STIFF)' $(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/stiff.m \
-	  </dev/null
-	@tests/bench/filled tests/bench/stiff.md
+	$(call reported,stiff,STIFF='$(STIFF)' $(ONE_THREAD) timeout -k 10 7200 \
+	  $(OCTAVE) tests/bench/stiff.m </dev/null)
 
 bench-poses: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/poses.md
 	$(if $(PEERS),@tests/bench/rivals/setup tests/bench/out/peers)
-	PEERS='$(if $(PEERS),$(CURDIR)/tests/bench/out/peers)' $(ONE_THREAD) timeout -k 10 3600 \
-	  $(OCTAVE) tests/bench/poses.m </dev/null
-	@tests/bench/filled tests/bench/poses.md
+	$(call reported,poses,PEERS='$(if $(PEERS),$(CURDIR)/tests/bench/out/peers)' $(ONE_THREAD) \
+	  timeout -k 10 3600 $(OCTAVE) tests/bench/poses.m </dev/null)
 
 bench-flexible bench-collocation bench-points bench-reach: bench-%: packages compiled
-	@mkdir -p tests/bench/out
-	@rm -f tests/bench/$*.md
-	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/$*/run tests/bench/out/$*
-	@tests/bench/filled tests/bench/$*.md
+	$(call reported,$*,PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 \
+	  tests/bench/$*/run tests/bench/out/$*)
 
 bench-robots: packages compiled
 	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the' \
 	  'robots from PyPI'; exit 1; }
-	@rm -f tests/bench/robots.md
-	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
-	@tests/bench/filled tests/bench/robots.md
+	$(call reported,robots,ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run)
 
 # PATTERN: only the scenes whose path holds it
 same: | packages

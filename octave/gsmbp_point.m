@@ -49,7 +49,7 @@
 ## @end table
 ##
 ## All states at once, and without names: the handles @code{m.pnt}, @code{m.jpt} and their batches
-## @code{m.pnt_v}, @code{m.jpt_v}.
+## @code{m.pnt_v}, @code{m.jpt_v}; both in one call: @code{m.pnj}, with (dJ/dt)*u @code{m.pnr}.
 ##
 ## @c session octave
 ## @example

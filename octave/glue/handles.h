@@ -72,6 +72,8 @@ absent (const std::string& call, const char *request)
 // not.  What
 // nobody asks for (PRE) is no handle.
 struct known_routine { const char *name, *request, *slots, *results; };
+static const char jacobian_slots[]
+    = "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info";
 static const known_routine known[]
     = {
         { "rhs", "rhs", "t x ?v cst >xd(nx) info", "" },
@@ -94,10 +96,8 @@ static const known_routine known[]
         { "inl", "inverse_loops", "t q u ud ?v cst >tau(nact) >lam(nlam) info", "" },
         { "lin", "linear", "t q u ud ?v cst >m(nu,nu) >b(nu,nu) >c(nu,nq) ld", "" },
         { "prj", "projection", "t <x cst >res(1/nresidual) info", "" },
-        { "jac", "jacobian",
-          "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info", "" },
-        { "jad", "jacobian_dense",
-          "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info", "" },
+        { "jac", "jacobian", jacobian_slots, "" },
+        { "jad", "jacobian_dense", jacobian_slots, "" },
         { "out", "output", "t x ?v cst >y(ny) info", "" },
         { "cmd", "command", "t qj ?xi cst >v >xid(na) info", "" },
         { "cmx", "command_states", "t qj ?xi cst >v >xid(na) >xa(na) >g(nmar) info", "" },

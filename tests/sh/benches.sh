@@ -18,7 +18,7 @@ check 'one without rows at the end is an error' fails filled
 report 'text'
 check 'a report without a table is an error' fails filled
 
-# bench-c and bench-peers in bench print and stop by themselves
+# bench-c writes no report
 for target in $(sed -n 's/^make \(bench[a-z0-9-]*\).*/\1/p' Makefile | sort -u); do
   [ "$target" = bench-c ] && continue
   make --no-print-directory -n "$target" PEERS=1 >"$work/commands" 2>&1

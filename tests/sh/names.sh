@@ -39,3 +39,13 @@ twice=$(grep -hoE '^gsmbp_[A-Za-z_0-9]+ *: ' $package | sort | uniq -d)
 none 'variable is set twice' "$twice"
 # map(string, l) evaluates the expressions once more, with the user's variables, map(sconcat, l) not
 none 'expression is evaluated again for its text' "$(grep -n 'map(string\|map(concat' $package)"
+
+# Python and Octave name the request of a subroutine that is missing: one that gsmbp_fortran knows.
+unknown=$({
+  sed -n '/^_REQUESTS = {/,/}/p' share/python/module/_model.py | grep -oE ": '[a-z_]+'" |
+    tr -d ": '"
+  grep -oE '^ +\{ "[a-z_]+", "[a-z_]+"' octave/glue/handles.h | sed 's/.*, "//; s/"//'
+} | sort -u | while read -r word; do
+  [ "$word" = batch ] || grep -qE "^ +'?\[{1,2}$word, \"" gsmbp/emit/requests.mac || echo "$word"
+done)
+none 'request is named that gsmbp_fortran does not know' "$unknown"

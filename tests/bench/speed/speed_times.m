@@ -8,7 +8,7 @@ function times = speed_times (s, jobs)
     pairs = s.operations.lit.(one{2})(5) / 2;
     jobs(end+1) = speed_job ("yardstick", "lit", one{1}, "-", "-", "sincos", ceil (pairs));
   end
-  ns = speed_run (s, speed_states (s, "random", 256), jobs, "time", 41);
+  ns = speed_run (s, speed_states (s, "random", 256), jobs, "time", 42);
   times = ...
       struct ("who", {jobs.who}, "mode", {jobs.mode}, "word", {jobs.word}, "ns", num2cell (ns, ...
       2)', "median", num2cell (median (ns, 2))',
