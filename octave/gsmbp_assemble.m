@@ -75,86 +75,25 @@ function x = gsmbp_assemble (m, guess, varargin)
            "tolerance", 1e-10, "positive"
            "branches", 0, "whole"};
   o = gs.given.call_options (who, table, varargin);
-  x = guessed (who, m, guess);
-  settled = isequal (numel (guess), m.sizes.nq) || is_settled (m, o.time, x);
-  held = held_coordinates (who, m, o.hold);
-  whole_orientations (who, m, held);
-  if (m.sizes.nlam == 0)
-    if (m.sizes.nq > m.sizes.nu)
-      x = gs.start.unit_orientations (m, x);
-    endif
-  elseif (o.branches == 0)
-    [x, complaint, other] = gs.start.close_loops (m, x, o, held);
-    complaint = [complaint, other(1:end*isempty (complaint))];
-    if (! isempty (complaint))
-      error ("%s: %s: %s", who, m.name, complaint);
-    endif
-  else
-    x = branches (who, m, x, o, held);
-  endif
-  warn_of_limits (who, m, x(:,1), held);
-  for k = 1:columns (x)
-    warn_of_lost_rank (who, m, o.time, x(:,k));
-  endfor
-  if (settled)
-    for k = 1:columns (x)
-      x(:,k) = gs.start.settled_state (m, o.time, x(:,k));
-    endfor
-  endif
-endfunction
-
-function warn_of_limits (who, m, x, held)
-  limits = gs.model.scene_limits (m, m.coordinates);
-  for k = find (held)'
-    if (! (limits(k,1) <= x(k) && x(k) <= limits(k,2)))
-      warning ("gsmbp:limits", ["%s: %s: option hold: %s = %.6g %s is outside the limits of " ...
-                                "its joint; expected %.6g to %.6g"], who, m.name, ...
-               m.coordinates{k}, x(k), m.units.coordinates{k}, limits(k,:));
-    endif
-  endfor
-endfunction
-
-function warn_of_lost_rank (who, m, t, x)
-  [rows, rank] = gs.start.lost_rank (m, t, x);
-  if (! isempty (rows))
-    warning ("gsmbp:singular", ["%s: %s: at the position found %d of the %d constraints that " ...
-                                "are independent elsewhere are so, lost in rows %s: a " ...
-                                "change point, or links in one line; is it meant? " ...
-                                "(angles are in rad)"], ...
-             who, m.name, rank, m.mobility.rank, strjoin (rows, ", "));
-  endif
-endfunction
-
-## filters of sensors and observers are where their rates vanish
-function yes = is_settled (m, t, x)
-  y = gs.start.settled_state (m, t, x);
-  yes = all (abs (y - x) <= 1e-9 * (m.nominal + abs (x)));
-endfunction
-
-function x = guessed (who, m, guess)
   d = m.sizes;
   x = gs.given.given_guess (who, m, "guess", guess, m.initial(d.nq + 1:d.nx));
-  for set = m.orientation'
-    if (! any (x(set)))
-      error (["%s: %s: expected a guess of the Euler parameters (%s), found zeros, which " ...
-              "are no orientation"], who, m.name, strjoin (m.coordinates(set)', ", "));
-    endif
-  endfor
-endfunction
-
-## one Euler parameter cannot stay while the orientation changes: each speed moves all four
-function whole_orientations (who, m, held)
-  for set = m.orientation'
-    if (any (held(set)) && ! all (held(set)))
-      error (["%s: %s: option hold: %s is one of the Euler parameters (%s) of one orientation: " ...
-              "hold all four, or none (one alone would freeze the orientation)"], who, m.name,
-             m.coordinates{set(find (held(set), 1))}, strjoin (m.coordinates(set)', ", "));
+  [x, why, beyond, lost] = m.module ("assemble", m.cst, gs.model.parameter_values (m), o.time, ...
+                                     x, m.nominal, held_coordinates (who, m, o.hold), ...
+                                     o.branches, longest (m), o.tolerance, ...
+                                     numel (guess) == d.nq, general_rank (m), ...
+                                     gs.model.scene_limits (m, m.coordinates), m.initial);
+  if (isempty (x))
+    error ("%s: %s: %s", who, m.name, why);
+  endif
+  for one = {"limits", beyond; "singular", lost}'
+    if (! isempty (one{2}))
+      warning (["gsmbp:" one{1}], "%s: %s: %s", who, m.name, one{2});
     endif
   endfor
 endfunction
 
 function held = held_coordinates (who, m, names)
-  held = false (m.sizes.nq, 1);
+  held = zeros (m.sizes.nq, 1);
   for name = cellstr (names)(:)'
     if (isempty (name{1}))
       continue;
@@ -164,90 +103,22 @@ function held = held_coordinates (who, m, names)
       error ("%s: option hold: %s has no coordinate %s", who, m.name,
              gs.text.nearest_word (name{1}, m.coordinates));
     endif
-    held |= k(:);
+    held(k) = 1;
   endfor
 endfunction
 
-## all different states from many guesses, as columns
-function found = branches (who, m, guess, o, held)
-  before = rand ("twister");
-  unwind_protect
-    rand ("twister", 7);
-    guesses = [guess, around(m, guess, held, o.branches)];
-  unwind_protect_cleanup
-    rand ("twister", before);
-  end_unwind_protect
-  found = zeros (numel (guess), 0);
-  first = "";
-  for k = 1:columns (guesses)
-    try
-      [x, complaint] = gs.start.close_loops (m, guesses(:,k), o, held, k > 1);
-    catch err
-      complaint = err.message;
-    end_try_catch
-    if (isempty (complaint))
-      x = wound (m, x, guess);
-      if (isempty (found) ...
-            || all (max (abs (difference (m, found, x)), [], 1) > 1e-6 ...
-                      * max (1, norm (x(1:m.sizes.nq), Inf))))
-        found(:,end+1) = x;
-      endif
-    elseif (isempty (first))
-      first = complaint;
-    endif
-  endfor
-  if (isempty (found))
-    error ("%s: %s: none of %d guesses: %s", who, m.name, columns (guesses), first);
-  endif
-  [~, order] = sort (max (abs (difference (m, found, guess)), [], 1));
-  found = found(:,order);
-endfunction
-
-## N guesses: angles by up to half a turn, lengths by up to the largest one, orientations at random
-function guesses = around (m, guess, held, n)
-  d = m.sizes;
-  unit = m.units.coordinates;
-  size = pi * ones (d.nq, 1);
-  long = ! strcmp (unit, "rad") & ! euler (m);
+## the largest parameter that is a length [m]
+function size = longest (m)
   lengths = struct2cell (m.par)(strcmp (m.units.parameters, "m"));
-  size(long) = max ([1e-3; abs(guess(long)); abs([lengths{:}]')]);
-  size(held) = 0;
-  guesses = repmat (guess, 1, n);
-  guesses(1:d.nq,:) += size .* (2 * rand (d.nq, n) - 1);
-  for set = m.orientation'
-    if (! any (held(set)))
-      e = sqrt (-2 * log (rand (4, n))) .* cos (2 * pi * rand (4, n));
-      guesses(set,:) = e ./ sqrt (sumsq (e, 1));
-    endif
-  endfor
+  size = max ([0; abs([lengths{:}]')]);
 endfunction
 
-function yes = euler (m)
-  yes = false (m.sizes.nq, 1);
-  yes(m.orientation(:)) = true;
-endfunction
-
-## angles within half a turn of the guess, the sign of Euler parameters as there
-function x = wound (m, x, guess)
-  turning = find (strcmp (m.units.coordinates, "rad") & ! euler (m));
-  x(turning) -= 2 * pi * round ((x(turning) - guess(turning)) / (2 * pi));
-  for set = m.orientation'
-    if (x(set)' * guess(set) < 0)
-      x(set) *= -1;
-    endif
-  endfor
-endfunction
-
-## coordinates of the columns of FOUND less those of X, turns and signs aside
-function e = difference (m, found, x)
-  e = found(1:m.sizes.nq,:) - x(1:m.sizes.nq);
-  turning = strcmp (m.units.coordinates, "rad") & ! euler (m);
-  e(turning,:) -= 2 * pi * round (e(turning,:) / (2 * pi));
-  for set = m.orientation'
-    other = found(set,:) + x(set);
-    swap = max (abs (other), [], 1) < max (abs (e(set,:)), [], 1);
-    e(set,swap) = other(:,swap);
-  endfor
+## how many constraints are independent, 0 where the scene does not say it
+function rank = general_rank (m)
+  rank = 0;
+  if (isfield (m, "mobility") && isfield (m.mobility, "rank"))
+    rank = m.mobility.rank;
+  endif
 endfunction
 
 %!shared c

@@ -26,7 +26,7 @@ function linear (file)
   fid = fopen (file, "w");
   fputs (fid, jsonencode (struct ("linear", r, "trim", trims (), ...
                                "modes", vibrations (), "reach", reaches (), ...
-                               "campbell", diagrams ())));
+                               "campbell", diagrams (), "assemble", assemblies ())));
   fclose (fid);
 end
 
@@ -45,6 +45,23 @@ function r = model (m, x, v, varargin)
     r.mck.(name{1}) = part (s.(name{1}));
   end
   r.mck.names = {s.coordinates, s.speeds, s.devices};
+end
+
+## rough states of a four-bar and of a free body in Euler parameters, closed
+function r = assemblies ()
+  m = gsmbp_fixture ("case_03a");
+  rough = [1.1; -0.6; 1.4; 1.5; 0; 0];
+  r.case_03a = {assembly(m, rough), assembly(m, rough(1:3)), ...
+                assembly(m, rough, "hold", "theta"), assembly(m, rough, "hold", "psi"), ...
+                assembly(m, rough, "hold", "theta", "branches", 12)};
+  m = gsmbp_fixture ("orient_free");
+  r.orient_free = {assembly(m, m.initial + 0.1)};
+end
+
+function r = assembly (m, guess, varargin)
+  x = gsmbp_assemble (m, guess, varargin{:});
+  r = struct ("guess", guess(:)', "options", {varargin}, "x", ...
+              struct ("size", size (x), "numbers", x(:)'));
 end
 
 function r = trims ()

@@ -1,6 +1,6 @@
-"""Linear models, equilibria, steady motions and modes of modules beside those of Octave: an arm, a
-four-bar, a motor, a hydraulic cylinder, a disc that rolls, a bead on a disc that spins, a free
-body in Euler parameters; closed forms; refusals.
+"""Linear models, assemblies, equilibria, steady motions and modes of modules beside those of
+Octave: an arm, a four-bar, a motor, a hydraulic cylinder, a disc that rolls, a bead on a disc that
+spins, a free body in Euler parameters; closed forms; refusals.
 
 python3 linear.py FILE: of linear.m; the modules that it imports must be installed."""
 import importlib
@@ -56,6 +56,45 @@ def mck_beside_octave(name, one):
         size = np.abs(wanted).max(initial=least)
         close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
               1e-12)
+
+
+def assembly_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    x = m.assemble(one['guess'], **options)
+    what = 'assemble of %s, %d numbers%s beside Octave' % (
+        name, len(one['guess']), ''.join(', %s %s' % o for o in options.items()))
+    wanted = matrix(one['x'])
+    holds(what + ': how many', x.shape == (wanted.shape if 'branches' in options
+                                           else wanted.shape[:1]))
+    close(what, x.reshape(wanted.shape), wanted, 1e-14)
+
+
+def assembly():
+    """A four-bar closed from a rough pose: its constraints, coordinates that are held; what is
+    refused and warned of."""
+    m = importlib.import_module('case_03a').Model()
+    for held in ('theta', 'psi'):
+        x = m.assemble([1.1, -0.6, 1.4, 1.5, 0.2, -0.1], hold=held)
+        con = m.con(0, x[:3], x[3:])
+        close('the loop closed with %s held' % held,
+              np.concatenate([con.phi, con.hc @ x[3:] + con.phit]), np.zeros(4), 1e-12)
+        k = m.coordinates.index(held)
+        holds('... %s stays' % held, x[k] == (1.1, -0.6, 1.4)[k])
+    both = m.assemble([1.1, -0.6, 1.4], hold='theta', branches=12)
+    close('both ways to assemble it', m.con(0, both[:3], both[3:]).phi, np.zeros((2, 2)), 1e-12)
+    holds('... differ', both.shape == (6, 2) and abs(both[1, 0] - both[1, 1]) > 0.1)
+    refuses('a coordinate that it has not', ValueError, ['hold', "'thet'", 'did you mean theta',
+                                                         'known: theta'],
+            m.assemble, m.initial, hold='thet')
+    refuses('too many held', ArithmeticError, ['leave 1 degree(s) of freedom to theta, psi'],
+            m.assemble, [1.1, -0.6, 1.4], hold=('theta', 'psi'))
+    refuses('branches', ValueError, ['branches', '-1'], m.assemble, m.initial, branches=-1)
+    refuses('a guess of another size', ValueError, ['guess', 'expected 6', '3 coordinates'],
+            m.assemble, [1.0, 2.0])
+    free = importlib.import_module('orient_free').Model()
+    refuses('one Euler parameter held', ArithmeticError, ['hold all four, or none'],
+            free.assemble, free.initial, hold=free.coordinates[3])
 
 
 def trim_beside_octave(name, one):
@@ -253,7 +292,7 @@ with open(sys.argv[1], encoding='utf-8') as file:
     FOUND = json.load(file)
 for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
                      ('modes', modes_beside_octave), ('reach', reach_beside_octave),
-                     ('campbell', campbell_beside_octave)):
+                     ('campbell', campbell_beside_octave), ('assemble', assembly_beside_octave)):
     for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
             beside(scene, one)
@@ -261,4 +300,5 @@ for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
                 mck_beside_octave(scene, one)
 shapes()
 pendulum()
+assembly()
 refused()

@@ -250,8 +250,16 @@ def four_bar():
                    positions(target={'px': path[0], 'py': path[1]}))
     close('a four-bar by its timed path', [*r.values.values()], made, 1e-7)
     holds('... with exact derivatives', r.derivatives == 'exact')
-    refuses('positions held by another coordinate', ValueError, ['its actuated coordinates (q1)'],
-            m.optimize, ('xa', 0.1, (0, 1)), ('end', 'py'), None, ('positions', 'q2', [1.0]))
+    x = quiet(m.optimize, ('own', 1, {1}), None, None,
+              ('positions', 'q2', [1.0, 1.1])).results['case1'].x
+    close('positions held by another coordinate', m.con([0, 0], x[:3], x[3:6]).phi,
+          np.zeros((2, 2)), 1e-12)
+    holds('... stays', x[1].tolist() == [1.0, 1.1])
+    r = quiet(m.optimize, ('a', m.parameters['a'], (0.01, 1)), ('end', 'py'), None,
+              ('positions', 'q2', [1.0]), evaluations=3)
+    holds('... its derivatives are differences', 'no exact derivatives' in r.derivatives)
+    refuses('a coordinate that it has not', ValueError, ["'q9'", 'known: q1, q2, q3'],
+            m.optimize, ('xa', 0.1, (0, 1)), ('end', 'py'), None, ('positions', 'q9', [1.0]))
 
 
 def branches():

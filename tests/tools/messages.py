@@ -47,6 +47,8 @@ TEXTS = [
     ('share/engine/host/linear/linear.c', ''),
     ('share/engine/host/linear/trim_told.c', ''),
     ('share/engine/host/linear/vibrations.c', ''),
+    ('share/engine/host/assemble/assemble.c', ''),
+    ('share/engine/host/assemble/close_guess.c', ''),
     ('share/engine/host/ipopt/ipopt.c', ''),
     ('share/engine/host/collocation/ended.c', ''),
     ('share/engine/host/nlopt/nlopt.c', ''),
@@ -59,7 +61,6 @@ TEXTS = [
     ('octave/+gs/+run/failure_text.m', 'dependent_rows'),
     ('octave/+gs/+run/failure_text.m', 'fastest'),
     ('octave/+gs/+start/verdict_words.m', 'verdict_words'),
-    ('octave/+gs/+start/close_loops.m', 'close_loops'),
     ('octave/+gs/+given/check_kind.m', 'wanted'),
     ('share/engine/core/gsmbp/options.h', ''),
     ('octave/+gs/+identify/list_doubts.m', 'outside'),
@@ -70,8 +71,6 @@ TEXTS = [
     ('octave/+gs/+identify/late_efforts.m', 'late_efforts'),
     ('octave/+gs/+identify/rescaled_efforts.m', 'rescaled_efforts'),
     ('octave/+gs/+identify/wrong_rates.m', 'wrong_rates'),
-    ('octave/+gs/+start/close_loops.m', 'branch_end'),
-    ('octave/+gs/+start/close_loops.m', 'not_free'),
 ]
 FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z%\]*;]|~\n\s*')
 

@@ -40,8 +40,8 @@ function w = words (common, precision)
   [w.flags, w.common_flags, w.c_flags, w.lane_flags] = gs.model.fortran_flags (precision);
   headers = [glob(fullfile (w.c, "gsmbp", "*.h")); glob(fullfile (w.engine, "host", "*.h"))
              glob(fullfile (w.engine, "host", ...
-                            {"implicit", "derivatives", "ensemble", "linear", "reach", "run", ...
-                             "collocation", "optimize"}, "*.h"))];
+                            {"implicit", "derivatives", "ensemble", "linear", "assemble", ...
+                             "reach", "run", "collocation", "optimize"}, "*.h"))];
   w.archive = gs.model.runtime_archive (precision);
   w.runtime = w.archive{3};
   w.generic = [headers; glob(fullfile (w.glue, "*.h")); {fullfile(w.glue, "gsmbp_module.cc")}];

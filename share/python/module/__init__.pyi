@@ -245,6 +245,8 @@ class Model(Routines):
                reduced: Union[str, Sequence[str]] = 'auto',
                drop: Union[str, Sequence[str]] = (),
                start: Literal['check', 'project'] = 'check') -> LinearModel: ...
+    def assemble(self, guess: ArrayLike, *, hold: Union[str, Sequence[str]] = (),
+                 time: float = 0.0, tolerance: float = 1e-10, branches: int = 0) -> Real: ...
     def trim(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
              hold: Union[str, Sequence[str]] = (), free: Union[str, Sequence[str]] = (),
              steady: Union[str, Sequence[str]] = (), time: float = 0.0, tolerance: float = 1e-9,

@@ -6,10 +6,17 @@ import inspect
 from ._library import NAME
 
 
-def nearest(name, words):
+def guessed(name, words):
+    """The words that were likely meant."""
     found = ([w for w in words if w.lower() == name.lower()]
              or difflib.get_close_matches(name, words, 3))
     return '; did you mean %s?' % ' or '.join(found) if found else ''
+
+
+def nearest(name, words):
+    """The words that were likely meant, and all that there are."""
+    known = '; known: ' + ', '.join(words) if words else '; there are none'
+    return guessed(str(name), words) + known
 
 
 def explained(function):
@@ -41,7 +48,7 @@ def _wrong(function, signature, values, named):
     for word in named:
         if word not in words:
             return '%s: argument %s is unknown%s; expected %s' % (
-                who, word, nearest(word, words), typed)
+                who, word, guessed(word, words), typed)
     for word in placed[:len(values) - 1]:
         if word in named:
             return '%s: argument %s is given twice; expected %s' % (who, word, typed)

@@ -7,7 +7,7 @@ import keyword
 import numpy as np
 
 from . import _inverse, _run, _trim
-from ._arguments import nearest
+from ._arguments import guessed, nearest
 from ._design_structures import WORDS
 from ._library import TABLE
 from ._tables import is_number
@@ -161,7 +161,7 @@ def _case(who, model, k, row):
                          'expected one of %s' % (who, what, ', '.join(KINDS)))
     if kind not in KINDS:
         raise ValueError('%s: %s: unknown kind %r%s; expected one of %s' % (
-            who, what, kind, nearest(kind, list(KINDS)), ', '.join(KINDS)))
+            who, what, kind, guessed(kind, list(KINDS)), ', '.join(KINDS)))
     options = dict(given.pop()) if given and isinstance(given[-1], dict) else {}
     many, words = KINDS[kind]
     if len(given) != many:
@@ -172,7 +172,7 @@ def _case(who, model, k, row):
         if name not in OPTIONS[kind]:
             known = OPTIONS[kind] + list(OWN)
             raise ValueError('%s: %s: option %s is unknown%s; expected %s' % (
-                who, what, name, nearest(str(name), known), ', '.join(known)))
+                who, what, name, guessed(str(name), known), ', '.join(known)))
     name = own['name'] or 'case%d' % (k + 1)
     if not (isinstance(name, str) and name.isidentifier()):
         raise ValueError('%s: %s: expected a name of letters and digits; found %r' % (
@@ -233,7 +233,7 @@ def _word_and_name(who, here, row, cases):
             who, here, tuple(row)))
     if row[0] not in WORDS:
         raise ValueError('%s: %s: unknown word %r%s; expected one of %s' % (
-            who, here, row[0], nearest(row[0], WORDS), ', '.join(WORDS)))
+            who, here, row[0], guessed(row[0], WORDS), ', '.join(WORDS)))
     if not cases and row[0] not in ALONE:
         raise ValueError('%s: %s: %s %s needs a load case (argument cases)' % (
             who, here, *row[:2]))

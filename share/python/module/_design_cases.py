@@ -6,6 +6,8 @@ import warnings
 import numpy as np
 
 from . import _inverse, _run
+from ._arguments import nearest
+from ._assemble import closed
 from ._design import of_values
 from ._design_slopes import (ACTUATED, fields_of, of_inverse, of_positions, parameters_by, PLANNED)
 from ._design_structures import differences, weights
@@ -16,6 +18,7 @@ from ._sensitivity import oscillations
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 ROWS = ('x', 'v', 'y', 'points', 'tau', 'lam', 'margins', 'state_margins')   # (rows, times)
+COORDINATES = [row['name'] for row in TABLE['coordinates']]
 ENDS = any(e.get('ends') for e in EVENTS)   # may an event end a run?
 
 
@@ -150,7 +153,9 @@ def _possible(case, fields):
         planned = of_values(given) or getattr(given, 'n', len(PLANNED)) == len(PLANNED)
         return planned and not case.options and fields_of('inverse', fields)
     if case.kind == 'positions':
-        return fields_of('positions', fields)
+        held = [case.given[0]] if isinstance(case.given[0], str) else list(case.given[0])
+        planned = not NLAM or sorted(held) == sorted(COORDINATES[k] for k in PLANNED)
+        return planned and fields_of('positions', fields)
     possible = (set(fields) <= {'x', 'y', 'v', 'extra'} and 'rhp' in ROUTINES
                 and ('y' not in fields or {'jac', 'oup'} <= ROUTINES.keys()))
     if case.kind == 'rest':
@@ -172,10 +177,9 @@ def _planned(case, given, t):
         return np.stack(poly.derivatives(t, range(order + 1), 1), axis=1)
     held = [case.given[0]] if isinstance(case.given[0], str) else list(case.given[0])
     values = np.asarray(given, float).reshape(len(held), -1)
-    names = [row['name'] for row in TABLE['coordinates']]
     planned = np.zeros((len(PLANNED), values.shape[1]))
     for name, row in zip(held, values):
-        planned[PLANNED.index(names.index(name))] = row
+        planned[PLANNED.index(COORDINATES.index(name))] = row
     return planned
 
 
@@ -204,9 +208,11 @@ def _simulated(who, model, given, options, names, starts):
         x0[model.states.index(name)] = value
     fixed = options.pop('fixed', None)
     if NLAM:
-        _actuated_alone(who, model, 'fixed', fixed)
-        x0 = _closed(who, model, x0)
-    r = model.simulate(x0, times, **options, sensitivity=names or None)
+        held = [COORDINATES[k] for k in PLANNED] if fixed is None else fixed
+        x0 = closed(who, model, x0, held)[:, 0]
+    if names:
+        options.update(sensitivity=names, fixed=fixed)
+    r = model.simulate(x0, times, **options)
     n, have = np.size(times), len(r.t)
     R = types.SimpleNamespace(
         t=r.t, x=r.x, v=r.v, y=r.y, events=r.events, stats=r.stats,
@@ -231,25 +237,6 @@ def _columns(found, n):
 def _filled(a, n):
     """With the last time once more, up to n."""
     return a[..., np.minimum(np.arange(n), a.shape[-1] - 1)]
-
-
-def _actuated_alone(who, model, what, held):
-    """A closed chain follows from its actuated coordinates here; held: names, None for these."""
-    known = [model.coordinates[k] for k in ACTUATED]
-    names = known if held is None else [held] if isinstance(held, str) else list(held)
-    if NQ != NU or not known or sorted(names) != sorted(known):
-        raise ValueError('%s: %s: the loops of %s are closed from its actuated coordinates (%s) '
-                         'alone, without Euler parameters; found %s' % (
-                             who, what, NAME, ', '.join(known) or 'none', ', '.join(names)))
-
-
-def _closed(who, model, x0):
-    """The start with its loops closed, the actuated coordinates and speeds held."""
-    planned = ACTUATED
-    motion = Piecewise([0, 1], np.stack([x0[NQ:][planned], x0[planned]], axis=1)[:, None, :])
-    follow = _inverse._Follower(who, model, motion, [k + 1 for k in planned], x0[:NQ])
-    jet = follow(0.0, 1)
-    return np.concatenate([jet[:, 0], jet[:, 1], x0[NQ + NU:]])
 
 
 def _end_slopes(model, r, names, w_end, n):
@@ -333,7 +320,7 @@ def _of_vibrations(decay, frequencies, dampings):
 def _positions(who, model, given, options, names, starts):
     """Coordinates that are held, one position after the other, at rest."""
     held = [given[0]] if isinstance(given[0], str) else list(given[0])
-    places = _run_places(who, model, held)
+    places = _run_places(who, held)
     values = np.asarray(given[1], float)
     values = values.reshape(1, -1) if len(held) == 1 else values
     if values.ndim != 2 or values.shape[0] != len(held) or not np.isfinite(values).all():
@@ -357,20 +344,20 @@ def _positions(who, model, given, options, names, starts):
     return R, {}
 
 
-def _run_places(who, model, held):
+def _run_places(who, held):
     for name in held:
-        if name not in model.coordinates:
-            raise ValueError('%s: unknown coordinate %r; known: %s' % (
-                who, name, ', '.join(model.coordinates)))
-    return [model.coordinates.index(name) for name in held]
+        if name not in COORDINATES:
+            raise ValueError('%s: unknown coordinate %r%s' % (
+                who, name, nearest(name, COORDINATES)))
+    return [COORDINATES.index(name) for name in held]
 
 
 def _held(who, model, q, places, values):
-    if not NLAM:
+    if not NLAM or sorted(places) != sorted(ACTUATED):
         q = q.copy()
         q[places] = values
-        return q
-    _actuated_alone(who, model, 'positions', [model.coordinates[k] for k in places])
+        x = np.concatenate([q, model.initial[NQ:]])
+        return closed(who, model, x, [COORDINATES[k] for k in places])[:NQ, 0] if NLAM else q
     planned, at = sorted(places), dict(zip(places, values))
     motion = Piecewise([0, 1], np.array([at[k] for k in planned])[:, None, None])
     return _inverse._Follower(who, model, motion, [k + 1 for k in planned], q)(0.0, 1)[:, 0]

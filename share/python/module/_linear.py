@@ -154,7 +154,7 @@ def places(who, option, given, known, expected):
     for name in names:
         if name not in known:
             raise ValueError('%s: %s: expected %s; found %r%s' % (
-                who, option, expected, name, nearest(str(name), known)))
+                who, option, expected, name, nearest(name, known)))
     return [known.index(name) for name in names]
 
 

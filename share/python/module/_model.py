@@ -5,9 +5,9 @@ import warnings
 
 import numpy as np
 
-from . import (_adjoint, _checks, _collocate, _ensemble, _inverse, _linear, _mck, _modes, _optimize,
-               _reach, _run, _sensitivity, _start, _trim)
-from ._arguments import explained, nearest
+from . import (_adjoint, _assemble, _checks, _collocate, _ensemble, _inverse, _linear, _mck, _modes,
+               _optimize, _reach, _run, _sensitivity, _start, _trim)
+from ._arguments import explained, guessed, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
 from ._tables import REFUSALS
@@ -113,7 +113,7 @@ class Model(Routines):
         if name in self._parameters:
             raise AttributeError("%s: %s is a parameter: expected m.parameters['%s']" % (
                 NAME, name, name))
-        raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, nearest(
+        raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, guessed(
             name, list(ROUTINES))))
 
     def kept(self, name):
@@ -135,6 +135,7 @@ class Model(Routines):
     simulate = explained(_run.simulate)
     ensemble = explained(_ensemble.ensemble)
     adjoint = explained(_adjoint.adjoint)
+    assemble = explained(_assemble.assemble)
     inverse = explained(_inverse.inverse)
     linear = explained(_linear.linear)
     trim = explained(_trim.trim)
@@ -178,8 +179,7 @@ def _unknown(name, names):
     for row in TABLE.get('dependent') or []:
         if row['name'] == name:
             return '%s: parameter %s is made of others, %s' % (NAME, name, row['expression'])
-    return '%s: unknown parameter "%s"%s' % (NAME, name, nearest(name, names) or (
-        '; known: ' + ', '.join(names)))
+    return '%s: unknown parameter "%s"%s' % (NAME, name, nearest(name, names))
 
 
 def _number(name, given):

@@ -6,6 +6,7 @@ import numpy as np
 
 from . import _run
 from ._arguments import nearest
+from ._assemble import joint_limits
 from ._library import LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 
 NQ, NU, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nlam'))
@@ -97,7 +98,7 @@ class _Job:
         self.who, self.model, self.whole = who, model, turned
         if name not in POINTS:
             raise ValueError('%s: unknown point %r%s' % (
-                who, name, nearest(str(name), POINTS) or '; known: ' + ', '.join(POINTS)))
+                who, name, nearest(name, POINTS)))
         self.tool = POINTS.index(name)
         frame = TABLE['points'][self.tool]['kind'] == 'frame'
         if turned and not frame:
@@ -147,11 +148,7 @@ class _Job:
         return np.broadcast_to(a, (len(names), k))
 
     def bounds(self, limits):
-        if limits is None:
-            limits = np.tile([-1e300, 1e300], (NQ, 1))
-            for row in TABLE.get('limits') or []:
-                if row['name'] in self.model.coordinates:
-                    limits[self.model.coordinates.index(row['name'])] = row['low'], row['high']
+        limits = joint_limits(self.model) if limits is None else limits
         a = np.clip(np.asarray(limits, float), -1e300, 1e300)
         if a.shape != (NQ, 2):
             raise ValueError('%s: limits: expected the shape (%d, 2); found %s' % (

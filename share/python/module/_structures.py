@@ -1,5 +1,5 @@
-"""The structures of host/run/run.h and host/linear/linear.h, by which a run or a linear model goes
-to the engine and comes back."""
+"""The structures of host/run/run.h, host/linear/linear.h and host/assemble/assemble.h, by which
+what is asked for goes to the engine and what is found comes back."""
 import ctypes
 
 import numpy as np
@@ -222,12 +222,29 @@ class PoleSlopes(_Structure):
     _fields_ = [('poles', _AT), ('frequency', _AT), ('damping', _AT)]
 
 
+class AssemblyAsked(_Structure):
+    """gs_assembly_asked of host/assemble/assemble.h."""
+
+    _fields_ = [('t', _REAL), ('cst', _AT), ('held', _AT), ('branches', _INT), ('longest', _REAL),
+                ('tolerance', _REAL), ('settle', _INT), ('rank', _INT), ('limits', _AT)]
+
+
+class Assembly(_Structure):
+    """gs_assembly of the same."""
+
+    _fields_ = [('n', _INT), ('text', ctypes.c_char * 2400), ('beyond', ctypes.c_char * 800),
+                ('lost', ctypes.c_char * 1200)]
+
+
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
 for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
+for _k, _kind in enumerate((AssemblyAsked, Assembly)):
+    if LIBRARY.gs_loop_assembly_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
+        raise ImportError('%s: the library was built with another assemble.h' % NAME)
 for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound,
                              VibrationsAsked, Vibrations, Modes, ModesOfSpeeds, SlopesAsked,
                              RestSlopes, PoleSlopes)):
