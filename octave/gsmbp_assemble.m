@@ -80,7 +80,7 @@ function x = gsmbp_assemble (m, guess, varargin)
   [x, why, beyond, lost] = m.module ("assemble", m.cst, gs.model.parameter_values (m), o.time, ...
                                      x, m.nominal, held_coordinates (who, m, o.hold), ...
                                      o.branches, longest (m), o.tolerance, ...
-                                     numel (guess) == d.nq, general_rank (m), ...
+                                     numel (guess) == d.nq, gs.start.general_rank (m), ...
                                      gs.model.scene_limits (m, m.coordinates), m.initial);
   if (isempty (x))
     error ("%s: %s: %s", who, m.name, why);
@@ -111,14 +111,6 @@ endfunction
 function size = longest (m)
   lengths = struct2cell (m.par)(strcmp (m.units.parameters, "m"));
   size = max ([0; abs([lengths{:}]')]);
-endfunction
-
-## how many constraints are independent, 0 where the scene does not say it
-function rank = general_rank (m)
-  rank = 0;
-  if (isfield (m, "mobility") && isfield (m.mobility, "rank"))
-    rank = m.mobility.rank;
-  endif
 endfunction
 
 %!shared c

@@ -80,6 +80,7 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   o = gs.given.call_options (who, table, varargin);
   t = gs.given.given_vector (who, "t", t, 1);
   x = gs.start.consistent_start (who, m, t, x, o.start);
+  gs.start.warn_of_rank (who, m, t, x, "singular_linear");
   v = gs.given.given_vector (who, "v", v, d.nv, sprintf (" (the inputs %s)", ...
                                                          strjoin (m.inputs', ", ")),
                              m.inputs);

@@ -115,13 +115,14 @@ function r = gsmbp_modes (m, x, varargin)
   if (isempty (spin))
     [one, doubt] = modes_at (p, x);
   else
-    [one, doubt] = over_speeds (p, x, held(end,2), o.speeds(:)');
+    [one, doubt] = over_speeds (p, x, spin, held(end,2), o.speeds(:)');
     draw (m, one, o);
   endif
   if (! isempty (doubt))
     warning ("gsmbp:equilibrium", ["%s: %s: expected an equilibrium or a steady motion; found " ...
              "%s; gsmbp_trim finds one, or option \"steady\""], who, m.name, doubt);
   endif
+  gs.start.warn_of_rank (who, m, o.time, one.x(:,1), "singular_linear");
   if (nargout > 0)
     r = one;
   else
@@ -144,7 +145,8 @@ function [held, spin] = what_is_held (who, m, o)
   endif
   held = zeros (numel (names), 2);
   for k = 1:numel (names)
-    held(k,:) = gs.given.speed_and_value (who, m, "hold", names{k});
+    option = {"hold", "spin"}{1 + strcmp(names{k}, spin)};
+    held(k,:) = gs.given.speed_and_value (who, m, option, names{k});
   endfor
   if (! isempty (held) && ! all (ismember ({"lin", "mas"}, m.subroutines)))
     error (["%s: %s was emitted without the subroutines LIN and MAS, which \"hold\" needs: add " ...
@@ -164,12 +166,15 @@ function [r, doubt] = modes_at (p, x)
               "real", real_, "rigid", rigid, "x", x);
 endfunction
 
-## the modes at each of the speeds of one coordinate, each followed by its shape
-function [r, doubt] = over_speeds (p, x, u, speeds)
+## the modes at each of the speeds U of the coordinate SPIN, each followed by its shape
+function [r, doubt] = over_speeds (p, x, spin, u, speeds)
   n = numel (speeds);
   doubt = "";
   for k = 1:n
     x(p.m.sizes.nq + u) = speeds(k);
+    if (p.m.sizes.nlam > 0 && strcmp (p.start, "project"))
+      x = gsmbp_assemble (p.m, x, "hold", spin, "time", p.t);
+    endif
     [found(k), more] = modes_at (p, x);
     doubt = {doubt, more}{1 + isempty(doubt)};   # the first one
     x = found(k).x;

@@ -94,6 +94,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   r.running = m.coordinates(running)(:)';
   r.unique = m.unique.multipliers';
   r.indifferent = [m.states(:); m.inputs(:)](moved)(:)';
+  gs.start.warn_of_rank ("gsmbp_trim", m, o.time, x, "singular_rest");
 endfunction
 
 ## the guess: all states and inputs

@@ -32,3 +32,17 @@ do_assemble (arguments& a, int)
     throw std::bad_alloc ();
   return ovl (result (x, S.nx, found->n), found->text, found->beyond, found->lost);
 }
+
+// (those of asked_start, how many constraints are independent in general, where the scene starts):
+// how they depend on each other in the state, "" where they do not
+static octave_value_list
+do_lost_rank (arguments& a, int)
+{
+  const asked_start s (a);
+  const int rank = a.integer_within ("rank", 0, S.nlam);
+  const reals start = a.vector ("start", S.nx);
+  char text[1000];
+  if (gs_lost_rank (&s.about, s.t, &s.cst[0], rank, &start[0], &s.x[0], text, sizeof text) < 0)
+    throw std::bad_alloc ();
+  return ovl (text);
+}

@@ -70,7 +70,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "followed modes", do_follow_modes }, { "rest slopes", do_rest_slopes },
         { "family steps", do_family_steps }, { "pole slopes", do_pole_slopes },
          { "loop slopes", do_loop_slopes }, { "close", do_close },
-         { "assemble", do_assemble },
+         { "assemble", do_assemble }, { "lost rank", do_lost_rank },
          { "axes", do_axes }, { "choose", do_choose }, { "free", do_free },
          { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
          { "energies", do_energies },

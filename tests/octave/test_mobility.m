@@ -40,6 +40,7 @@ function test_mobility ()
                ! isempty (strfind (m.json.left_out(strcmp ({m.json.left_out.request}, ...
                                        "command")).reason, "no actuators")));
   marks (gsmbp_fixture ("react_change"));
+  singular ();
   once (gsmbp_fixture ("redundant_bricard"));
 end
 
@@ -72,6 +73,24 @@ function marks (m)
   gsmbp_check ("gsmbp_inverse: unique beside lambda", isequal (r.unique, m.unique.multipliers));
   r = gsmbp_trim (m, [-pi/2; pi/2; -pi/2; 0; 0; 0]);
   gsmbp_check ("gsmbp_trim: unique beside lambda", isequal (size (r.unique), size (r.lambda)));
+end
+
+## linear models, modes and equilibria say where constraints are not as independent as elsewhere
+function singular ()
+  m = gsmbp_set (gsmbp_fixture ("case_03a"), "la", 0.3, "lc", 0.3, "lb", 0.6, "ld", 0.6);
+  rise = [-pi/2; pi/2; -pi/2; 0; 0; 0];   # hanging
+  for flat = [true, false]
+    x = {rise, zeros(6, 1)}{1 + flat};
+    for call = {@() gsmbp_linear(m, 0, x).a, @() gsmbp_modes(m, x).x, ...
+                @() gsmbp_trim(m, x, [], "hold", "theta", "free", "tau_a").x}
+      lastwarn ("", "");
+      value = call{1}();
+      [text, id] = lastwarn ();
+      says = strcmp (id, "gsmbp:singular") && ! isempty (strfind (text, "a change point"));
+      gsmbp_check (sprintf ("%s, %s: %s", func2str (call{1}), {"hanging", "flat"}{1 + flat}, text), ...
+                   says == flat);
+    end
+  end
 end
 
 ## lost rank of a redundant scene is no warning, whatever is called

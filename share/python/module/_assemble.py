@@ -47,7 +47,7 @@ def closed(who, model, x, hold, t=0.0, tolerance=1e-10, branches=0, settle=False
     held[_linear.places(who, 'hold', hold, model.coordinates, 'the name of a coordinate')] = 1
     asked = AssemblyAsked(
         t=t, branches=branches, longest=_longest(model), tolerance=tolerance, settle=settle,
-        rank=(TABLE.get('mobility') or {}).get('rank', 0))
+        rank=_linear.general_rank())
     for name, numbers, kind in (('cst', model.cst, float), ('held', held, np.intc),
                                 ('limits', joint_limits(model), float)):
         asked.put(name, numbers, kind)

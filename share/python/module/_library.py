@@ -73,6 +73,10 @@ SAME_IN_ALL_MODES = ('ene', 'evt', 'hld', 'mar', 'rst')
 RANGES = {'mode': (-1, 1), 'ctl.k': (0, SIZES['nctl'])}
 
 
+# rows of coordinates that are Euler parameters
+SETS = np.array(TABLE.get('orientation') or [], int).reshape(-1, 4) - 1
+
+
 class Argument:
     """An argument that Python hands over: its name, kind, intent and sizes for one state."""
 
@@ -119,6 +123,8 @@ class Argument:
                 who, np.array2string(a, threshold=6)))
         if MODES and self.name == 'v':
             self.modes(who, a)
+        if SETS.size and self.name in ('q', 'x'):
+            self.orientations(who, a)
         if n > 1 or not a.flags.aligned:
             a = np.asfortranarray(a)
         return a
@@ -129,6 +135,15 @@ class Argument:
             if not self.range[0] <= k <= self.range[1]:
                 raise ValueError('%s: argument %s: expected whole numbers from %d to %d; found %d'
                                  % (who, self.name, *self.range, k))
+
+    def orientations(self, who, a):
+        """Euler parameters that are all zero are no orientation."""
+        for rows in SETS:
+            if not np.any(a[rows] != 0, axis=0).all():
+                raise ValueError('%s: argument %s: expected Euler parameters of length 1 in %s; '
+                                 'found zeros, which are no orientation' % (
+                                     who, self.name, ', '.join(
+                                         '%s[%d]' % (self.name, k) for k in rows)))
 
     def modes(self, who, v):
         """The modes among the inputs; what is no number is the matter of the subroutine."""

@@ -111,7 +111,26 @@ def on_constraints(who, model, t, x, start):
     if verdict != 0:
         raise ValueError('%s: %s' % (who, _start.refusal(
             verdict, found.state, found.text.decode(), model).replace('x0[', 'x[')))
+    warn_of_rank(who, model, t, x, REFUSALS.singular_linear)
     return x
+
+
+def general_rank():
+    """How many constraints are independent in general, 0 where the scene does not say it."""
+    return (TABLE.get('mobility') or {}).get('rank', 0)
+
+
+def warn_of_rank(who, model, t, x, what):
+    """A warning where constraints that are independent elsewhere are not so."""
+    text = ctypes.create_string_buffer(1000)
+    found = LIBRARY.gs_loop_lost_rank(
+        ctypes.c_double(t), at(model.cst), ctypes.c_int(general_rank()), at(model.initial), at(x),
+        text, ctypes.c_int(len(text)))
+    if found < 0:
+        raise MemoryError(who)
+    if found:
+        warnings.warn('%s: at this position %s: %s' % (who, text.value.decode(), what),
+                      _run.RunWarning, stacklevel=5)
 
 
 def place(model, t, x, v):

@@ -5,10 +5,11 @@ import warnings
 import numpy as np
 
 from . import _linear, _run
+from ._assemble import closed
 from ._library import Error, LIBRARY, NAME, SIZES, at
 from ._structures import Modes as Found, ModesOfSpeeds, Told, Vibrations, VibrationsAsked
 
-NQ, NX = SIZES['nq'], SIZES['nx']
+NQ, NX, NLAM = (SIZES[k] for k in ('nq', 'nx', 'nlam'))
 
 Modes = collections.namedtuple('Modes', 'frequency damping shapes eigenvalues real rigid x')
 Modes.__doc__ = """What modes gives: frequency (n,) [rad/s], ascending, and damping (n,) of each
@@ -58,6 +59,8 @@ def campbell(self, x, spin, speeds, v=None, *, hold=(), steady=False, time=0.0, 
     for speed in speeds:
         x = x.copy()
         x[NQ + own[1]] = speed
+        if NLAM and start == 'project':
+            x = closed(who, self, x, spin, t)[:, 0]
         one, doubt = _at(who, self, (t, x, v), [*held, own], steady, start)
         found.append(one)
         doubts.append(doubt)

@@ -7,7 +7,7 @@ import numpy as np
 from . import _linear, _run
 from ._library import Error, LIBRARY, MODES, NAME, ROUTINES, SIZES, TABLE
 from ._structures import Told, TrimAsked, TrimFound
-from ._tables import check
+from ._tables import check, REFUSALS
 
 NQ, NU, NX, NV, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'nlam'))
 WAYS = ('newton', 'levenberg', 'transient')
@@ -52,7 +52,9 @@ def trim(self, x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e
     _linear.heed(who, self, told, Error)
     if found.warning:
         warnings.warn('%s: %s' % (who, found.warning.decode()), _run.RunWarning, stacklevel=3)
-    return _result(self, t, found)
+    r = _result(self, t, found)
+    _linear.warn_of_rank(who, self, t, r.x, REFUSALS.singular_rest)
+    return r
 
 
 def _asked(who, model, hold, free, steady):

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "gsmbp/refusals.h"
-#include "gsmbp/solve.h"
 #include "host/assemble/assemble_parts.h"
 
 typedef struct
@@ -230,56 +229,16 @@ tell_limits (const assembly *s)
     }
 }
 
-/* rows (nlam,nu) divided by their lengths here or where the scene starts */
+/* where the first of the states is at which constraints have lost rank */
 static void
-scale_rows (const gs_work *w, const gs_pose *here, const gs_pose *first, gs_real *rows)
+tell_rank (const assembly *s, const gs_real *start, const gs_real *x)
 {
-  const int m = w->s->nlam, nu = w->s->nu;
-  for (int i = 0; i < m; i++)
-    {
-      gs_real a = 0, b = 0;
-      for (int j = 0; j < nu; j++)
-        {
-          a += here->rows[i + m * j] * here->rows[i + m * j];
-          b += first->rows[i + m * j] * first->rows[i + m * j];
-        }
-      const gs_real size = gs_sqrt (a > b ? a : b);
-      for (int j = 0; j < nu; j++)
-        rows[j + nu * i] = size > 0 ? here->rows[i + m * j] / size : 0;
-    }
-}
-
-/* the rows of the constraints that depend on each other at x and not elsewhere */
-static void
-tell_rank (assembly *s, const gs_real *start, const gs_real *x)
-{
-  gs_work *w = s->w;
-  const int m = w->s->nlam, nu = w->s->nu;
-  gs_pose here, first;
-  gs_real *rows = gs_numbers (w, m * nu), *v = gs_numbers (w, m * m), *size = gs_numbers (w, m);
-  int rank = 0;
-  if (! rows || ! v || ! size || gs_pose_begin (w, &here) || gs_pose_begin (w, &first))
-    return;
-  gs_pose_at (w, x, &here);
-  gs_pose_at (w, start, &first);
-  scale_rows (w, &here, &first, rows);
-  gs_singular_values (nu, m, rows, nu, v, m, size, GS_R (1e-4), &rank);
-  if (rank >= s->a->rank || s->found->lost[0])
-    return;
-  gs_writer said = { s->found->lost, sizeof s->found->lost, 0 };
-  gs_put (&said, "at the position found %d of the %d constraints that are independent elsewhere "
-          "are so, lost in rows ", rank, s->a->rank);
-  for (int i = 0, n = 0; i < m; i++)
-    {
-      gs_real most = 0;
-      for (int k = rank; k < s->a->rank; k++)
-        most = gs_abs (v[i + m * k]) > most ? gs_abs (v[i + m * k]) : most;
-      if (most > GS_R (0.1) && w->d->constraints)
-        gs_put (&said, n++ ? ", %s" : "%s", w->d->constraints[i]);
-      else if (most > GS_R (0.1))
-        gs_put (&said, n++ ? ", %d" : "%d", i + 1);
-    }
-  gs_put (&said, ": a change point, or links in one line; is it meant? (angles are in rad)");
+  char lost[1000];
+  const gs_work *w = s->w;
+  if (! s->found->lost[0] && gs_lost_rank (w->d, w->t, w->cst, s->a->rank, start, x, lost,
+                                           sizeof lost) > 0)
+    snprintf (s->found->lost, sizeof s->found->lost, "at the position found %s; is it meant? "
+              "(angles are in rad)", lost);
 }
 
 /* ---------------------------------------------------------------------------------------- whole */
@@ -338,8 +297,7 @@ gs_assemble (const gs_description *d, const gs_assembly_asked *a, const gs_real 
           close_loops (&s, x);
           for (int k = 0; k < found->n; k++)
             {
-              if (d->scene->nlam > 0 && a->rank > 0)
-                tell_rank (&s, start, x + nx * k);
+              tell_rank (&s, start, x + nx * k);
               if (settled)
                 gs_settle_states (d, a->t, a->cst, NULL, x + nx * k);
             }
