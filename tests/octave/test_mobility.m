@@ -87,8 +87,8 @@ function singular ()
       value = call{1}();
       [text, id] = lastwarn ();
       says = strcmp (id, "gsmbp:singular") && ! isempty (strfind (text, "a change point"));
-      gsmbp_check (sprintf ("%s, %s: %s", func2str (call{1}), {"hanging", "flat"}{1 + flat}, text), ...
-                   says == flat);
+      what = sprintf ("%s, %s: ", func2str (call{1}), {"hanging", "flat"}{1 + flat});
+      gsmbp_check ([what text], says == flat);
     end
   end
 end

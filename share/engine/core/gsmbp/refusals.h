@@ -64,8 +64,8 @@
   ROW (no_derivative, "the derivative of the %s by %s is not finite at this state (do two points " \
        "of a spring, damper or cylinder coincide, does an expression divide by 0 or take its "     \
        "root?); expected a state next to it")                                                      \
-  ROW (singular_linear, "a linear model leaves out the motions that begin there; expected a state " \
-       "beside it")                                                                                \
+  ROW (singular_linear, "a linear model leaves out the motions that begin there; expected a "      \
+       "state beside it")                                                                          \
   ROW (singular_rest, "multipliers are not determined there, and what balances them may be none " \
        "of an equilibrium; expected another guess")                                                \
   ROW (memory, "expected %d finite numbers, found %s")
