@@ -46,20 +46,25 @@ function warn_of (who, m, s, listed)
                                   "%s): %s; they are NaN from there on"], who, m.name, ...
              strjoin ({s.lost.name}, ", "), one.time, one.event, one.text);
   endif
-  f = s.stiff;
+  if (! isnan (s.stiff.time))
+    warn_of_stiffness (who, m, s.method, s.stiff);
+  endif
+endfunction
+
+function warn_of_stiffness (who, m, method, f)
   remedy = "take method \"radau\"";
   if (! isfield (m, "json") || ! isfield (m.json, "devices") || ! isempty (m.json.devices))
     remedy = [remedy, ", or a reduced variant of the actuator that is so fast"];
   endif
-  if (! isnan (f.time) && any (strcmp (regexprep (f.state, '_d$', ""), of_modes (m))))
+  if (any (strcmp (regexprep (f.state, '_d$', ""), of_modes (m))))
     remedy = "leave that mode of a flexible link out, or take method \"radau\"";
   endif
-  if (strcmp (s.method, "rk4") && ! isnan (f.time))
+  if (strcmp (method, "rk4"))
     warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...
                              "limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, " ...
                              "of %s): %s"], who, m.name,
              f.time, f.step, 2.78 / f.eigenvalue, f.eigenvalue, f.state, remedy);
-  elseif (strcmp (s.method, "dp853") && ! isnan (f.time))
+  elseif (strcmp (method, "dp853"))
     warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by " ...
                              "stability, not by accuracy (largest eigenvalue about %.3g 1/s, " ...
                              "of %s): %s"], who, m.name,

@@ -1,6 +1,6 @@
 ## [word, remedy] = gs.start.verdict_words (number)
 ## What a verdict of a start (share/engine/core/gsmbp/failures.h) is called, and what its message
-#adds in # Octave.
+## adds in Octave.
 
 function [word, remedy] = verdict_words (number)
   words = gs.text.table_rows ("GS_VERDICTS");

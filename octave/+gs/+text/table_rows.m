@@ -1,6 +1,6 @@
 ## rows = gs.text.table_rows (table)
-## Return the rows of the TABLE GS_... of options, limits, refusals or verdicts in
-#share/engine/core/gsmbp, # which all hosts of runs share: a cell array of texts, a row each.
+## The rows of the TABLE GS_... of options, limits, refusals or verdicts in
+## share/engine/core/gsmbp, which all hosts of runs share: a cell array of texts, a row each.
 
 function rows = table_rows (table)
   persistent known = struct ();
