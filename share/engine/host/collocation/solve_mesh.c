@@ -216,7 +216,7 @@ gs_solve_mesh (gs_search *w, const gs_motion_problem *p, const gs_mesh *mesh, co
   const gs_nlp nlp = { n.n, n.m, x0, s->low, s->high, s->glow, s->ghigh, n.jacobian, n.hessian,
                        places[0], places[1], places[2], places[3], s->c, gs_program_evaluate };
   /* of MUMPS: scaling and order (AMD) are some ten times as fast on these programs as what it does
-     by itself; of the barrier: from afar fewer and shorter iterations, from the mesh before fewer */
+     by itself; of the barrier: what takes fewer iterations from afar, from the mesh before */
   const gs_nlp_word words[] = { { "mumps_scaling", NULL, 8, 1 },
                                 { "mumps_pivot_order", NULL, 0, 1 },
                                 { "mu_strategy", s->before ? "adaptive" : "monotone", 0, 0 } };
