@@ -62,6 +62,17 @@
         ($gs__push (gs-said '$statement
                             (gs-list (list (caddr $gs__declares) (gs-joined names ", ")))))))))
 
+;;; [name of the sine, of the cosine] of an angle, from now on as late as a call of GSSC; "": nobody
+;;; asked for it
+(defun $gs__take_pair (pair angle)
+  (gs-declare-new (cdr pair))
+  (let ((delay (+ 40 (gs-delay angle))))
+    (gs-list (mapcar #'(lambda (s)
+                         (if (eq s '$idle) ""
+                             (let ((n (gs-target s))) (gs-give s n delay) n)))
+                     (cdr pair)))))
+(defun $gs__open_block (heading) (gs-open-block heading))
+
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gs-sine-call (pair angle)
   (gs-declare-new (cdr pair))

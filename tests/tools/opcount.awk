@@ -1,7 +1,8 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div
 # sqrt trig. X**3 is two mul, unary minus, ABS, SIGN, MAX, MIN, rounding are free, subscripts and
 # whole numbers do not count; trig is every other intrinsic call, and a power with a broken
-# exponent; CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
+# exponent; CALL GSSC is a sine and a cosine, what it leaves in IDLE apart; of GSSCV it is
+# what is read of SN and CN.
 BEGIN {
   set(trig, "SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP")
   set(free, "SQRT ABS SIGN MAX MIN ANINT GSFLR")
@@ -68,6 +69,7 @@ function count(s,   t, before) {
     return
   }
   if (sub(/^ *INTEGER /, "", text)) { integers(); return }
+  if (text ~ /^ *[A-Z][A-Z0-9_]* *= *[SC]N\([0-9]+\) *$/) calls++
   if (sub(/^ *CALL +GSSC *\(/, "", text)) calls += 2 - (text ~ /, *IDLE *[,)]/)
   else {
     if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
