@@ -13,7 +13,8 @@ for scene in $(whole && echo spat128 || echo spat64) tree64 pend64; do
     gsmbp_fortran(scale_scene(\"$kind\", $links), [inverse, forward], ['directory = \"$work\"])\$
     scale_driver(\"$kind\", $links, \"$work/driver.f\")\$" &&
     (cd "$work" && gfortran -O0 -o run "$scene.f" driver.f \
-      "$functions/gsfin.f" "$functions/gssc.f" "$functions/gsscl.f" && ./run) >"$work/out" 2>&1
+      "$functions/gsfin.f" "$functions/gssc.f" "$functions/gsscl.f" \
+        "$functions/gsscv.f" && ./run) >"$work/out" 2>&1
   for what in ERROR:efforts FORWARD:accelerations; do
     awk -v word="${what%:*}" '$1 == word { good = $2 < 1e-13 } END { exit !good }' "$work/out"
     told $? "$kind: $links links, ${what#*:}" "$work/out"
