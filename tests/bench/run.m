@@ -41,7 +41,7 @@ for name = speed_names (here)
       [more, s.made] = speed_rivals (s, peers, cap);
       jobs = [jobs, more];
     end
-    s.times = speed_times (s, jobs);
+    s.times = speed_times (s, [jobs, speed_peaks(out)]);
     s.errors = speed_errors (s, jobs, {"random", "fast", "singular"}, 1000);
     results{end+1} = s;
     save ("-binary", fullfile (out, "results.bin"), "results");

@@ -25,8 +25,8 @@ function [jobs, seconds] = speed_build (s, out)
       m = [mode{1} part{1}];
       library = fullfile (s.folder, [m ".so"]);
       define = {"", "-DLIN", "-DJAC", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_jac", "_v"})};
-      flags = ["-O3 -march=native" {"", batch_flags()}{1 + any(strcmp (part{1}, {"_jac", "_v"}))}];
-      seconds.(m) = compile (s, m, "double", library, flags, define, runtime (out, "double"));
+      flags = ["-O3 -march=native" {"", speed_batch_flags()}{1 + any(strcmp (part{1}, {"_jac", "_v"}))}];
+      seconds.(m) = compile (s, m, "double", library, flags, define, speed_runtime (out, "double"));
       for one = reshape (part{3}, 2, [])
         jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, ...
                                  [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
@@ -34,14 +34,14 @@ function [jobs, seconds] = speed_build (s, out)
     end
   end
   library = fullfile (s.folder, "quad.so");
-  compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", runtime (out, "quad"));
+  compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", speed_runtime (out, "quad"));
   for word = {"id", "fd"}
     jobs(end+1) = speed_job ("gsmbp", "quad", word{1}, library, s.model, word{1}, 2 * s.n);
   end
   if (any (strcmp ({s.derive.requests}, "JAC")))
     library = fullfile (s.folder, "quad_jac.so");
     compile (s, "lit_jac", "quad", library, "-O1 -freal-8-real-16", "-DQUAD -DJAC", ...
-             runtime (out, "quad"));
+             speed_runtime (out, "quad"));
     jobs(end+1) = speed_job ("gsmbp", "quad", "jac", library, s.model, "jac", 8 * n^2);
   end
 end
@@ -61,31 +61,4 @@ function seconds = compile (s, mode, precision, library, flags, define, archive)
                        "-DNPAR=%d '%s' '%s' '%s' %s -lm -Wl,-Bsymbolic -o '%s'"], define, ...
                            tolower (s.scene), s.n,
     d.ncst, d.npar, fullfile (here, "ours.c"), object, archive, libraries, library));
-end
-
-## what gsmbp_build adds for the batches: loops marked C$OMP SIMD in the widest vectors
-function flags = batch_flags ()
-  flags = " -fopenmp-simd";
-  if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
-    flags = [flags " -mprefer-vector-width=512"];
-  end
-end
-
-## what all scenes share, compiled when it is older than its sources
-function archive = runtime (out, precision)
-  root = fileparts (fileparts (fileparts (fileparts (mfilename ("fullpath")))));
-  folder = fullfile (out, ["runtime_" precision]);
-  archive = fullfile (folder, "runtime.a");
-  quad = strcmp (precision, "quad");
-  body = {"lapack", "plain"}{1 + quad};
-  sources = [glob(fullfile (root, "share", "fortran", "*", "*.f")); ...
-             glob(fullfile (root, "share", "fortran", "solve", body, "*.f"))];
-  if (! exist (archive, "file") ...
-        || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
-    [~, ~] = unlink (archive);
-    [~, ~] = mkdir (folder);
-    speed_cpu (sprintf (["cd '%s' && gfortran -O2 -fno-tree-slp-vectorize -march=native -fPIC " ...
-                         "%s -c%s && ar rcs runtime.a *.o"], folder,
-      {batch_flags(), "-freal-8-real-16"}{1 + quad}, sprintf (" '%s'", sources{:})));
-  end
 end
