@@ -13,10 +13,15 @@ function [flags, common, c, lanes] = fortran_flags (precision)
   ## places of their own in the cache, and copies of three numbers without a call
   ## of memcpy.
   ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
+  ## Three passes that look at long straight lines again and again cost a third of
+  ## the time of compiling, and gain nothing.
   processor = gs.files.processor_flag ();
-  flags = ["-O3 -fno-tree-slp-vectorize" processor " -fopenmp-simd" widest() " -frecursive -fPIC"];
-  common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
-            flags(4:end)];
+  own = ["-O3 --param=lra-max-considered-reload-pseudos=50 -fno-gcse-after-reload -fno-dse " ...
+         "-fno-tree-slp-vectorize"];
+  scene = [processor " -fopenmp-simd" widest() " -frecursive -fPIC"];
+  flags = [own scene];
+  common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32 " ...
+            "-fno-tree-slp-vectorize" scene];
   c = ["-std=c99 -O2 -ffp-contract=fast -falign-functions=64 -falign-loops=32" ...
        limited_range() processor " -fPIC"];
   ## square roots in vectors leave errno as it is; what becomes branches has no vectors
