@@ -92,6 +92,8 @@ def assembly():
     refuses('branches', ValueError, ['branches', '-1'], m.assemble, m.initial, branches=-1)
     refuses('a guess of another size', ValueError, ['guess', 'expected 6', '3 coordinates'],
             m.assemble, [1.0, 2.0])
+    refuses('an angle without a sine', ArithmeticError, ['theta', 'at most 1e15 rad, found 1e+16'],
+            m.assemble, [1e16, -0.6, 1.4], hold='theta')
     free = importlib.import_module('orient_free').Model()
     refuses('one Euler parameter held', ArithmeticError, ['hold all four, or none'],
             free.assemble, free.initial, hold=free.coordinates[3])

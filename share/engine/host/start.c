@@ -25,9 +25,8 @@ no_memory (gs_start *s)
   return refuse (s, GS_START_NO_MEMORY, "there was no memory for the start");
 }
 
-/* an angle beyond 1e15 rad has lost its sine to rounding */
-static int
-check_angles (const gs_description *d, const gs_real *x, gs_start *s)
+int
+gs_check_angles (const gs_description *d, const gs_real *x, gs_start *s)
 {
   for (int k = 0; k < d->scene->nq && d->angles; k++)
     if (d->angles[k] && gs_abs (x[k]) > (gs_real)gs_limits.largest_angle)
@@ -203,7 +202,7 @@ gs_close_start (const gs_description *d, const gs_start_given *g, gs_real *x, gs
   s->residual = s->moved = 0;
   s->state = -1;
   s->row[0] = s->text[0] = 0;
-  if (check_angles (d, x, s) != GS_START_TAKEN)
+  if (gs_check_angles (d, x, s) != GS_START_TAKEN)
     return s->verdict;
   if (scene->nlam == 0 && scene->nq == scene->nu)
     return GS_START_TAKEN;

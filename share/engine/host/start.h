@@ -123,6 +123,9 @@ void gs_settle_states (const gs_description *d, gs_real t, const gs_real *cst, c
  * GS_START_TAKEN x is left as it was. */
 int gs_close_start (const gs_description *d, const gs_start_given *g, gs_real *x, gs_start *s);
 
+/* whether an angle of x has lost its sine to rounding; the verdict, s->state says which */
+int gs_check_angles (const gs_description *d, const gs_real *x, gs_start *s);
+
 /* the refusal of the Euler parameters of set k (from 0): its verdict */
 int gs_refuse_orientation (const gs_description *d, int k, const gs_real *x, gs_start *s);
 

@@ -1,5 +1,5 @@
-## flags = speed_batch_flags (): what gsmbp_build adds for the batches: loops marked C$OMP SIMD in the
-## widest vectors.
+## flags = speed_batch_flags (): what gsmbp_build adds for the batches: loops marked C$OMP SIMD in
+## the widest vectors.
 
 function flags = speed_batch_flags ()
   flags = " -fopenmp-simd";

@@ -25,8 +25,10 @@ function [jobs, seconds] = speed_build (s, out)
       m = [mode{1} part{1}];
       library = fullfile (s.folder, [m ".so"]);
       define = {"", "-DLIN", "-DJAC", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_jac", "_v"})};
-      flags = ["-O3 -march=native" {"", speed_batch_flags()}{1 + any(strcmp (part{1}, {"_jac", "_v"}))}];
-      seconds.(m) = compile (s, m, "double", library, flags, define, speed_runtime (out, "double"));
+      wide = any (strcmp (part{1}, {"_jac", "_v"}));
+      flags = ["-O3 -march=native" {"", speed_batch_flags()}{1 + wide}];
+      seconds.(m) = compile (s, m, "double", library, flags, define, ...
+                             speed_runtime (out, "double"));
       for one = reshape (part{3}, 2, [])
         jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, ...
                                  [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
@@ -34,7 +36,8 @@ function [jobs, seconds] = speed_build (s, out)
     end
   end
   library = fullfile (s.folder, "quad.so");
-  compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", speed_runtime (out, "quad"));
+  compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", ...
+           speed_runtime (out, "quad"));
   for word = {"id", "fd"}
     jobs(end+1) = speed_job ("gsmbp", "quad", word{1}, library, s.model, word{1}, 2 * s.n);
   end

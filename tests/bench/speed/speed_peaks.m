@@ -1,7 +1,7 @@
 ## jobs = speed_peaks (out): jobs for driver.c that say what a core does at most (peak.c): who =
-## "peak", mode "lit"; words fma_one, fma_many: 10240 multiplications and additions by single numbers
-## and by vectors; gssc_eight, gsscv_eight, atan2_eight, gsatv_eight: eight angles one by one and at
-## once.
+## "peak", mode "lit"; words fma_one, fma_many: 10240 multiplications and additions by single
+## numbers and by vectors; gssc_eight, gsscv_eight, atan2_eight, gsatv_eight: eight angles one by
+## one and at once.
 
 function jobs = speed_peaks (out)
   here = fileparts (mfilename ("fullpath"));

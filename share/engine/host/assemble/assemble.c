@@ -27,6 +27,16 @@ refuse (assembly *s, const char *format, ...)
 
 /* ------------------------------------------------------------------------------ what is refused */
 
+static int
+check_angles (assembly *s)
+{
+  const gs_description *d = s->w->d;
+  gs_start start;
+  if (gs_check_angles (d, s->guess, &start) == GS_START_TAKEN)
+    return 1;
+  return refuse (s, "the guess of %s: %s", d->states[start.state], start.text);
+}
+
 /* sets of Euler parameters: all of one may stay, or none; zeros have no direction */
 static int
 check_orientations (assembly *s)
@@ -291,7 +301,7 @@ gs_assemble (const gs_description *d, const gs_assembly_asked *a, const gs_real 
   if (s.guess && y)
     {
       gs_copy (nx, x, s.guess);
-      if (check_orientations (&s) && check_routines (&s))
+      if (check_angles (&s) && check_orientations (&s) && check_routines (&s))
         {
           const int settled = a->settle || is_settled (&s, y);
           close_loops (&s, x);
