@@ -56,7 +56,7 @@ function design (m)
   solve = @(varargin) gsmbp_optimize (m, free, {"peak", "q"}, {}, load_case, varargin{:});
   gsmbp_optimize (m, free(1,:), {"mean", "q"}, {}, {"run", [0 0.1], [0.1 0 0], "input", 1}, ...
                   "solver", "ipopt", "iterations", 1);   # it builds
-  [r, info] = solve ("timeout", 1, "starts", 30);
+  [r, info] = solve ("timeout", 3, "starts", 30);
   gsmbp_check ("a design: timeout: the best so far", info == 1 && strcmp (r.stopped, "timeout") ...
                  && r.limit && isfinite (r.J) && r.J <= 0.2562);
   late = [];
