@@ -127,8 +127,7 @@ public:
     r.status = 5;
     r.solved = r.infeasible = 0;
     r.limit = r.interrupted = 1;
-    std::snprintf (r.ended, sizeof r.ended, "stopped at the limit of %g evaluations or %g s",
-                   m_o.evaluations, m_o.seconds);
+    gs_nlp_say_limit (&m_o, &r);
     return 0;
   }
 

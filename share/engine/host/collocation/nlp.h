@@ -3,6 +3,9 @@
 #ifndef GSMBP_HOST_COLLOCATION_NLP_H
 #define GSMBP_HOST_COLLOCATION_NLP_H
 
+#include <math.h>
+#include <stdio.h>
+
 #include "host/collocation/program.h"
 
 #ifdef __cplusplus
@@ -52,6 +55,18 @@ typedef struct
 
 /* The result; 0; 1: no memory; 2: an option or the problem is refused, which ended says. */
 typedef int gs_nlp_solver (const gs_nlp *p, const gs_nlp_options *o, gs_nlp_result *r);
+
+/* ended, where Ipopt reached a limit of its options */
+static inline void
+gs_nlp_say_limit (const gs_nlp_options *o, gs_nlp_result *r)
+{
+  if (o->seconds < INFINITY)
+    snprintf (r->ended, sizeof r->ended, "stopped at the limit of %g evaluations or %g s",
+              o->evaluations, o->seconds);
+  else
+    snprintf (r->ended, sizeof r->ended, "stopped at the limit of %g evaluations",
+              o->evaluations);
+}
 
 /* by Ipopt (host/ipopt), NLopt (host/nlopt), in libraries of their own */
 gs_nlp_solver gs_ipopt, gs_nlopt;

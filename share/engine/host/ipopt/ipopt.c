@@ -168,8 +168,7 @@ say_end (const gs_nlp_options *o, gs_nlp_result *r)
     if (table[k].status == r->status)
       snprintf (r->ended, sizeof r->ended, "%s", table[k].text);
   if (r->status == 5)
-    snprintf (r->ended, sizeof r->ended, "stopped at the limit of %g evaluations or %g s",
-              o->evaluations, o->seconds);
+    gs_nlp_say_limit (o, r);
   if (r->status == -1)
     snprintf (r->ended, sizeof r->ended, "stopped at the limit of %d iterations", o->iterations);
 }

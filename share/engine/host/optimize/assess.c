@@ -13,6 +13,13 @@ typedef struct
   double *F; /* nfree */
 } filling;
 
+/* what numbers of a row (-1: of a peak) lie between; beside which misses count, 0: not known */
+typedef struct
+{
+  double low, high, size;
+  int row;
+} bounds;
+
 /* is a goal made small by an unknown above (or below) all its values? */
 static int
 is_above (const gs_design_row *row)
@@ -31,17 +38,24 @@ first_series (const gs_design *d, int row)
   return k;
 }
 
-/* what a demand says of a series: the word, whether it holds at every time, its bounds */
+/* what a demand says of a series: does it hold at every time? */
 static int
-demand_range (const gs_design_row *row, double *low, double *high)
+is_each (const gs_design_row *row)
 {
-  *low = row->relation == '<' ? -INFINITY : row->bound;
-  *high = row->relation == '>' ? INFINITY : row->bound;
-  if (row->word == GS_WORD_peak && row->relation == '<')
-    *low = -row->bound;
   return ! gs_has_cases (row->word) || row->word == GS_WORD_each
          || ((row->word == GS_WORD_peak || row->word == GS_WORD_max) && row->relation == '<')
          || (row->word == GS_WORD_min && row->relation == '>');
+}
+
+static bounds
+bounds_of (const gs_search_design *w, int demand, int as)
+{
+  const gs_design_row *row = w->d->rows + w->d->ngoal + demand;
+  const double least = row->word == GS_WORD_peak ? -row->bound : -INFINITY;
+  return (bounds){ .low = row->relation == '<' ? least : row->bound,
+                   .high = row->relation == '>' ? INFINITY : row->bound,
+                   .size = row->bound != 0 ? fabs (row->bound) : w->naturals[demand],
+                   .row = as };
 }
 
 /* ------------------------------------------------------------------------- the host's values */
@@ -103,26 +117,25 @@ count (const gs_narrowed *q)
     {
       const int at = d->ngoal + q->demands[i], first = first_series (d, at);
       const gs_design_row *row = d->rows + at;
-      double low, high;
-      const int each = demand_range (row, &low, &high);
       for (int k = 0; k < gs_series_of (row); k++)
-        m += each ? s[first + k].n : 1;
+        m += is_each (row) ? s[first + k].n : 1;
     }
   return m;
 }
 
 /* side times all numbers of a series */
 static void
-put_series (filling *f, const gs_series *s, double side, double low, double high, int row)
+put_series (filling *f, const gs_series *s, double side, const bounds *b)
 {
   gs_point *e = f->e;
   for (int i = 0; i < s->n; i++)
     {
       const int at = f->next + i;
       e->g[at] = side * s->y[i];
-      e->low[at] = low;
-      e->high[at] = high;
-      e->row[at] = row;
+      e->low[at] = b->low;
+      e->high[at] = b->high;
+      e->row[at] = b->row;
+      e->size[at] = b->size;
       for (int j = 0; j < f->q->n; j++)
         e->a[at + e->m * j] = side * s->slopes[i + s->n * f->q->at[j]] * f->q->scale[j];
     }
@@ -131,14 +144,15 @@ put_series (filling *f, const gs_series *s, double side, double low, double high
 
 /* one number and its derivatives by all variables */
 static void
-put_number (filling *f, double value, double low, double high, int row)
+put_number (filling *f, double value, const bounds *b)
 {
   gs_point *e = f->e;
   const int at = f->next++;
   e->g[at] = value;
-  e->low[at] = low;
-  e->high[at] = high;
-  e->row[at] = row;
+  e->low[at] = b->low;
+  e->high[at] = b->high;
+  e->row[at] = b->row;
+  e->size[at] = b->size;
   for (int j = 0; j < f->q->n; j++)
     e->a[at + e->m * j] = f->F[f->q->at[j]] * f->q->scale[j];
 }
@@ -150,13 +164,14 @@ put_above (filling *f, const gs_design_row *row, const gs_series *s, const doubl
   gs_point *e = f->e;
   const int unknown = f->q->n + f->above;
   const double size = f->q->sizes[f->above++], of = row->word == GS_WORD_min ? -1 : 1;
+  const bounds below = { -INFINITY, 0, size, -1 };
   e->J += row->factor * z[unknown] * size;
   e->gJ[unknown] += row->factor * size;
   for (int k = 0; k < row->ncases; k++)
     for (int side = 0; side < sides (row->word); side++)
       {
         const int from = f->next;
-        put_series (f, s + k, side ? -1 : of, -INFINITY, 0, -1);
+        put_series (f, s + k, side ? -1 : of, &below);
         for (int i = from; i < f->next; i++)
           {
             e->g[i] -= of * z[unknown] * size;
@@ -216,15 +231,15 @@ put_demand (filling *f, int number, int as)
   const gs_design *d = f->q->w->d;
   const gs_design_row *row = d->rows + d->ngoal + number;
   const gs_series *s = f->q->w->v.series + first_series (d, d->ngoal + number);
-  double low, high, value = 0;
-  const int each = demand_range (row, &low, &high);
+  const bounds b = bounds_of (f->q->w, number, as);
+  double value = 0;
   for (int k = 0; k < gs_series_of (row); k++)
-    if (each)
-      put_series (f, s + k, 1, low, high, as);
+    if (is_each (row))
+      put_series (f, s + k, 1, &b);
     else
       {
         measure (f, row, k, s, &value);
-        put_number (f, value, low, high, as);
+        put_number (f, value, &b);
       }
 }
 

@@ -63,6 +63,7 @@ loosened (void *of, const double *z, gs_point *e, char *trouble)
         if (! (up ? a->high[i] < INFINITY : a->low[i] > -INFINITY))
           continue;
         const double by = (up ? -1 : 1) * x->sizes[i];
+        e->size[at] = x->sizes[i];
         e->g[at] = a->g[i] + by * z[n + a->row[i]];
         for (int j = 0; j < n; j++)
           e->a[at + m * j] = a->a[i + a->m * j];

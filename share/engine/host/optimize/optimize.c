@@ -23,6 +23,7 @@ begin (gs_search_design *w)
   w->v.times = gs_room_take (room, d->ncases, sizeof *w->v.times);
   w->v.series = gs_room_take (room, count_series (d), sizeof *w->v.series);
   w->v.rough = gs_room_places (room, d->nfree);
+  w->naturals = gs_room_numbers (room, d->ndemands);
   w->last_p = gs_room_numbers (room, d->nfree);
   w->last_rows = gs_room_places (room, d->ngoal + d->ndemands);
   w->last_free = gs_room_places (room, d->nfree);

@@ -52,13 +52,14 @@ double gs_scale_of (const gs_free *v);
 
 /* Goal and demands at a point of n unknowns: J and its gradient; m numbers g with their derivatives
  * a (m,n), between low and high; row: the demand of each, -1: of a peak that is a goal; h (n,n):
- * the Gauss-Newton matrix of goals that are squares. Arrays of its own. */
+ * the Gauss-Newton matrix of goals that are squares; size: beside which misses of a number count (0:
+ * not known). Arrays of its own. */
 typedef struct
 {
   int n, m, there;
-  double J, *gJ, *g, *a, *low, *high, *h;
+  double J, *gJ, *g, *a, *low, *high, *h, *size;
   int *row;
-  size_t size;
+  size_t all;
   double *room;
 } gs_point;
 
@@ -66,6 +67,8 @@ typedef struct
 int gs_point_size (gs_point *e, int n, int m);
 int gs_point_copy (gs_point *to, const gs_point *from);
 void gs_point_free (gs_point *e);
+/* the largest derivative of number i */
+double gs_point_steepest (const gs_point *e, int i);
 /* the sizes of its numbers, m; by how much the worst one misses its bounds, beside them */
 void gs_point_sizes (const gs_point *e, double *sizes);
 double gs_point_violation (const gs_point *e, const double *sizes);
@@ -104,6 +107,8 @@ typedef struct
   double ends;         /* on the clock; INFINITY: no timeout */
   gs_room room;        /* lives as long as the result */
   gs_design_values v;
+  double *naturals;    /* beside which misses of demands whose bound is 0 count; 0: not known */
+  int began;           /* they are known */
   double *last_p;      /* nfree: where v is from, for which rows and variables */
   int *last_rows, *last_free, there;
   int failed;          /* why there is no end: GS_DESIGN_REFUSED, ...; */

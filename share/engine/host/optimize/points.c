@@ -8,18 +8,18 @@
 int
 gs_point_size (gs_point *e, int n, int m)
 {
-  const size_t N = (size_t)n, M = (size_t)m, size = N + N * N + M * (N + 4) + 1;
-  if (size > e->size)
+  const size_t N = (size_t)n, M = (size_t)m, all = N + N * N + M * (N + 5) + 1;
+  if (all > e->all)
     {
       free (e->room);
-      *e = (gs_point){ .room = malloc (size * sizeof (double)), .size = size };
+      *e = (gs_point){ .room = malloc (all * sizeof (double)), .all = all };
     }
   if (! e->room)
     {
-      *e = (gs_point){ .size = 0 };
+      *e = (gs_point){ .all = 0 };
       return 1;
     }
-  memset (e->room, 0, e->size * sizeof (double));
+  memset (e->room, 0, e->all * sizeof (double));
   e->n = n;
   e->m = m;
   e->J = 0;
@@ -29,7 +29,8 @@ gs_point_size (gs_point *e, int n, int m)
   e->low = e->g + m;
   e->high = e->low + m;
   e->a = e->high + m;
-  e->row = (int *)(void *)(e->a + N * M);
+  e->size = e->a + N * M;
+  e->row = (int *)(void *)(e->size + m);
   return 0;
 }
 
@@ -39,7 +40,7 @@ gs_point_copy (gs_point *to, const gs_point *from)
   const size_t N = (size_t)from->n, M = (size_t)from->m;
   if (gs_point_size (to, from->n, from->m))
     return 1;
-  memcpy (to->room, from->room, (N + N * N + M * (N + 4)) * sizeof (double));
+  memcpy (to->room, from->room, (N + N * N + M * (N + 5)) * sizeof (double));
   to->J = from->J;
   to->there = from->there;
   return 0;
@@ -49,23 +50,27 @@ void
 gs_point_free (gs_point *e)
 {
   free (e->room);
-  *e = (gs_point){ .size = 0 };
+  *e = (gs_point){ .all = 0 };
 }
 
-static double
-finite (double x)
+double
+gs_point_steepest (const gs_point *e, int i)
 {
-  return fabs (x) < INFINITY ? fabs (x) : 0;
+  double most = 0;
+  for (int j = 0; j < e->n; j++)
+    most = fmax (most, fabs (e->a[i + e->m * j]));
+  return most;
 }
 
+/* By its bound; by derivatives alone no number is judged that has a bound to be judged by: they are
+ * infinite at dead centres. They only keep sizes above rounding. */
 void
 gs_point_sizes (const gs_point *e, double *sizes)
 {
   for (int i = 0; i < e->m; i++)
     {
-      double most = fmax (finite (e->low[i]), finite (e->high[i]));
-      for (int j = 0; j < e->n; j++)
-        most = fmax (most, fabs (e->a[i + e->m * j]));
+      const double slope = gs_point_steepest (e, i), size = e->size[i];
+      const double most = size > 0 ? fmax (size, 1e-9 * slope) : slope;
       sizes[i] = most < 1e-12 ? 1 : most;
     }
 }

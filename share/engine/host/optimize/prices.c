@@ -205,7 +205,7 @@ add_numbers (active_list *l)
           a->normal[j] = (up ? -1 : 1) * e->a[i + e->m * j];
         a->told.demand = 1;
         a->told.value = e->g[i];
-        a->told.bound = bound;
+        a->told.bound = row && equation ? row->bound : bound;
         a->equation = equation;
         a->peak = ! row;
         if (row)

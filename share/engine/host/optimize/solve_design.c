@@ -142,11 +142,28 @@ all_squares (const gs_design *d)
   return d->ngoal > 0 && d->ndemands == 0;
 }
 
+/* what misses of demands with a bound of 0 count beside: their values and derivatives where the
+ * search began */
+static void
+keep_naturals (gs_search_design *w, const gs_point *e)
+{
+  if (w->began)
+    return;
+  w->began = 1;
+  for (int i = 0; i < e->m; i++)
+    if (e->row[i] >= 0 && e->size[i] == 0)
+      w->naturals[e->row[i]] = fmax (w->naturals[e->row[i]],
+                                     fmax (fabs (e->g[i]), gs_point_steepest (e, i)));
+  for (int k = 0; k < w->d->ndemands; k++)
+    if (w->naturals[k] < 1e-12)
+      w->naturals[k] = 0;
+}
+
 /* z: n + npeaks unknowns, the peaks placed; 0 or what there is instead of values */
 static int
 set_up (gs_narrowed *q, double *z, char *trouble)
 {
-  gs_point e = { .size = 0 };
+  gs_point e = { .all = 0 };
   for (int s = 0; s < q->npeaks; s++)
     {
       q->sizes[s] = 1;
@@ -156,6 +173,7 @@ set_up (gs_narrowed *q, double *z, char *trouble)
   if (found == GS_VALUES_FOUND)
     {
       find_idle (q, &e);
+      keep_naturals (q->w, &e);
       place_peaks (q, &e, z);
     }
   gs_point_free (&e);
@@ -183,8 +201,7 @@ only_values (gs_best *b, const double *z, gs_room *room)
   r->size_g = gs_room_numbers (room, r->e.m);
   if (! r->size_g)
     return gs_search_full (q->w);
-  for (int i = 0; i < r->e.m; i++)
-    r->size_g[i] = fmax (fabs (r->e.g[i]), 1);
+  gs_point_sizes (&r->e, r->size_g);
   r->violation = gs_point_violation (&r->e, r->size_g);
   snprintf (r->ended, sizeof r->ended, "%s",
             n        ? "the demands are met there"

@@ -53,7 +53,7 @@ contradict (gs_search_design *w, gs_best *b, gs_design_result *r)
     gs_put (&t, "%s%s", k ? "; " : "", d->rows[d->ngoal + r->conflict[k]].text);
   if (bounds.length)
     gs_put (&t, " (within %s)", text);
-  gs_put (&t, "; they are missed by least at ");
+  gs_put (&t, "; %s missed by least at ", r->nconflict == 1 ? "it is" : "they are");
   put_values (&t, d, r->values, NULL, 1);
   if (any_chosen (&b->q))
     {
