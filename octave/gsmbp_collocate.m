@@ -5,8 +5,10 @@
 ## An optimal motion of the model @var{m} from the states @var{x0} to @var{xf}, by direct
 ## collocation.
 ##
-## @var{x0}, @var{xf}: @var{nx} numbers each, NaN where a state is free.  In a closed chain the
-## dependent coordinates and speeds at the end follow: numbers there are a guess.  The scene is
+## @var{x0}, @var{xf}: @var{nx} numbers each, NaN where a state is free.  In a closed chain
+## dependent coordinates and speeds follow the actuated ones: they may be NaN in @var{x0}; numbers
+## of @var{xf} are a guess, unless an actuated coordinate (or speed) is free there: then all are
+## demanded.  The scene is
 ## derived with the request @code{collocation}, whose straight-line code gives sparse exact
 ## derivatives of first and second order; Ipopt solves.
 ##
@@ -116,7 +118,7 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
   gs.given.check_model (who, m);
   gs.given.refuse_words (who, "x0", x0, "xf", xf);
   [p, o] = gs.collocation.read_problem (who, m, x0, xf, varargin);
-  guess = gs.collocation.read_guess (who, m, p, o.guess);
+  guess = gs.collocation.read_guess (who, m, o.guess);
   library = gs.model.host_library (who, m, "ipopt");
   r = m.module ("collocate", m.cst, gs.model.parameter_values (m), p, library, o, guess);
   r = named (m, p, r);

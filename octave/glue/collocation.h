@@ -185,7 +185,7 @@ motion_map (const gs_motion& r, int nunknown)
   return s;
 }
 
-// (constants, parameters, problem, library of Ipopt, options, guess: t, x, v, T, followed, start,
+// (constants, parameters, problem, library of Ipopt, options, guess: t, x, v, T, start,
 // actuated): what is found, as host/collocation/collocation.h has it
 static octave_value_list
 do_collocate (arguments& a, int)
@@ -197,14 +197,14 @@ do_collocate (arguments& a, int)
   const gs_description about = described_with_constants ();
   auto of = [&] (const char *name) { return o.contents (name).double_value (); };
   auto array = [&] (const char *name) { return g.contents (name).matrix_value (); };
-  const Matrix t = array ("t"), x = array ("x"), v = array ("v"), followed = array ("followed"),
+  const Matrix t = array ("t"), x = array ("x"), v = array ("v"),
                start = array ("start"), actuated = array ("actuated");
   std::vector<int> independent;
   for (octave_idx_type k = 0; k < actuated.numel (); k++)
     independent.push_back (int (actuated(k)) - 1);
   const gs_motion_guess guess
       = { int (t.numel ()), t.data (), x.data (), v.data (), g.contents ("T").double_value (),
-          followed.data (), start.data (), int (independent.size ()), independent.data () };
+          nullptr, start.data (), int (independent.size ()), independent.data () };
   const gs_motion_options options
       = { o.contents ("method").string_value () == "lobatto" ? GS_LOBATTO : GS_RADAU_IIA,
           int (of ("intervals")), of ("accuracy"), int (of ("refinements")),
@@ -217,7 +217,7 @@ do_collocate (arguments& a, int)
   if (bad == 1)
     throw std::bad_alloc ();
   if (bad)
-    error ("%s", r.ended);
+    error ("gsmbp_collocate: %s: %s", S.name, r.ended);
   const octave_scalar_map s = motion_map (r, about.nunknown);
   gs_motion_free (&r);
   return ovl (s);

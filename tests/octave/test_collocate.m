@@ -12,6 +12,7 @@ function test_collocate ()
   swing_up (gsmbp_fixture ("optimal_cart"));
   costates (gsmbp_fixture ("optimal_block"), gsmbp_fixture ("optimal_cart"));
   crank (gsmbp_fixture ("optimal_crank"));
+  closed (gsmbp_fixture ("optimal_crank"));
   ends (gsmbp_fixture ("optimal_block"));
   refused (gsmbp_fixture ("optimal_cart"));
 end
@@ -209,6 +210,46 @@ function crank (m)
   off = norm (s.x(end,[1 4]) - [pi 0], Inf);
   gsmbp_check (sprintf ("crank: one jump, simulated end within 1e-4, found %.2g", off), ...
                r.solved && numel (r.switches) == 1 && off < 1e-4);
+end
+
+## a loop without a guess: what follows the crank; ends that no motion has
+function closed (m)
+  asked = {"time", 0.5, "goal", [m.inputs{1} "^2"]};
+  x0 = gsmbp_assemble (m, [-1 1.4 0.5 0 0 0 0], "hold", "q1");
+  x0([1 4]) = [-1 0];
+  xf = [1 NaN NaN 0 NaN NaN NaN];
+  r = gsmbp_collocate (m, x0, xf, asked{:});
+  s = gsmbp_simulate (m, x0, [0; 0.5], "input", r.input, "rtol", 1e-9);
+  off = norm (s.x(end,[1 3 4]) - [1, gsmbp_assemble(m, [1 -1.4 0.5 0 0 0 0], "hold", "q1")(3), 0], ...
+              Inf);
+  gsmbp_check (sprintf ("a crank past its dead centre, simulated end %.2g off", off), ...
+               r.solved && off < 1e-4);
+  follows = x0;
+  follows([2 3 5 6]) = NaN;
+  other = gsmbp_collocate (m, follows, [1 -1 0.6 0 9 9 NaN], asked{:});
+  gsmbp_check ("what follows may be free at the start, is a guess at the end", ...
+               abs (other.goal - r.goal) < 1e-6 * r.goal);
+  other = gsmbp_collocate (m, x0, [NaN NaN 0.65 NaN NaN 0 NaN], asked{:});
+  gsmbp_check ("the slider is demanded where the crank is free", other.solved ...
+               && abs (other.x(end,3) - 0.65) < 1e-9);
+  asked(end+1:end+2) = {"iterations", 3};
+  text = gsmbp_complaint (@() gsmbp_collocate (m, [-1 1.4 0.5 0 0 0 0], xf, asked{:}));
+  gsmbp_check (["a start off the loop: " text], ! isempty (regexp (text, ...
+               "x0: expected a state on the constraints, found C\.. = ")));
+  text = gsmbp_complaint (@() gsmbp_collocate (m, [NaN, x0(2:7)'], xf, asked{:}));
+  gsmbp_check (["a start that nothing determines: " text], ! isempty (strfind (text, ...
+               "for those that others follow (with their speeds): q1; found NaN for q1")));
+  r = quiet (@() gsmbp_collocate (m, x0, xf, asked{:}, "final", {"q3", 0.1, 0.2}));
+  gsmbp_check (["bounds beside the end: " r.ended], ! r.solved && ! isempty (strfind (r.ended, ...
+               "found bounds of 0.1 to 0.2 there")));
+  r = quiet (@() gsmbp_collocate (m, x0, [NaN NaN 0.8 NaN NaN 0 NaN], asked{:}));
+  gsmbp_check (["an end out of reach: " r.ended], ! r.solved && ! isempty (strfind (r.ended, ...
+               "at the end: expected q3 at most 0.7")));
+end
+
+function r = quiet (f)
+  was = warning ("off", "gsmbp:collocation", "local");
+  r = f ();
 end
 
 ## the minimum principle: u = -lambda/2 for a block; H is constant where nothing depends on time,

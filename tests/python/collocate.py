@@ -5,6 +5,7 @@ python3 collocate.py FILE: of collocate.m; the modules that it imports must be i
 import importlib
 import inspect
 import json
+import math
 import os
 import signal
 import sys
@@ -84,6 +85,28 @@ def closed_forms():
     close('inverse takes the motion', i.tau, [[2, 2]], 1e-6)
 
 
+def closed_chain():
+    """A slider-crank past its dead centre; what follows the crank, a parameter that stays."""
+    m = importlib.import_module('optimal_crank').Model()
+    nan = math.nan
+    options = {'time': 0.5, 'goal': m.inputs[0] + '^2'}
+    start = m.assemble([-1, 1.4, 0.5, 0, 0, 0, 0], hold='q1')
+    end = m.assemble([1, -1.4, 0.5, 0, 0, 0, 0], hold='q1')
+    r = m.collocate([-1, nan, nan, 0, nan, nan, 0], [1, nan, nan, 0, nan, nan, nan], **options)
+    holds('a crank past its dead centre: ' + r.ended, r.solved)
+    close('it begins on the loop', r.x[:, 0], start, 1e-9)
+    s = m.simulate(start, [0, 0.5], input=r.input, rtol=1e-9)
+    close('a run ends there', s.x[:6, -1], end[:6], 1e-5)
+    light = m.collocate(start, [1, nan, nan, 0, nan, nan, nan], parameters={'m3': (0.9, 1.1)},
+                        guess=r, **options)
+    holds('one parameter is free, the other stays', (
+        light.solved and light.goal <= r.goal * (1 + 1e-9)
+        and light.parameters['l1'] == m.parameters['l1']))
+    refuses('a start off the loop', ValueError,
+            ['x0: expected a state on the constraints, found C.'], m.collocate,
+            [-1, 1.4, 0.5, 0, 0, 0, 0], end, **options)
+
+
 def refusals():
     m = importlib.import_module('optimal_block').Model()
     ends = [0, 0], [1, 0]
@@ -152,6 +175,7 @@ if __name__ == '__main__':
         for motion in several:
             beside_octave(scene, motion)
     closed_forms()
+    closed_chain()
     refusals()
     ended_from_outside()
     signatures()

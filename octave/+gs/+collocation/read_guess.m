@@ -1,10 +1,9 @@
-## g = gs.collocation.read_guess (who, m, p, given)
+## g = gs.collocation.read_guess (who, m, given)
 ## Where gsmbp_collocate begins, checked: t (from 0 to 1; none without a guess GIVEN), x, v (a
-## column for each), T; what an end without a guess is made of: followed, start, actuated.
+## column for each), T; what an end without a guess is made of: start, actuated.
 
-function g = read_guess (who, m, p, given)
-  g = struct ("t", [], "x", [], "v", [], "T", 1, "followed", p.followed, "start", m.initial, ...
-              "actuated", m.actuated);
+function g = read_guess (who, m, given)
+  g = struct ("t", [], "x", [], "v", [], "T", 1, "start", m.initial, "actuated", m.actuated);
   if (! isempty (given))
     g = taken (who, m, given, g);
   endif

@@ -32,15 +32,6 @@ function [p, o] = read_problem (who, m, x0, xf, given)
   p.parameters = parameters (who, m, o);
   p.inputs = m.inputs(:)';
   p.names = m.outputs(:)';
-  if (m.sizes.nlam > 0)   # what follows at the end
-    free = true (m.sizes.nx, 1);
-    free([m.actuated(:); m.sizes.nq + m.actuated(:)]) = false;
-    free(m.sizes.nq+m.sizes.nu+1:end) = false;
-    p.followed = p.xf;
-    p.xf(free) = NaN;
-  else
-    p.followed = p.xf;
-  endif
 endfunction
 
 function needed (who, m, o)
@@ -178,20 +169,14 @@ function list = parameters (who, m, o)
            who, m.name, gs.text.shown_value (o.parameters{1}));
   endif
   given = bounds (who, "parameters", o.parameters, known);
-  if (numel (given) < numel (known) && ! isempty (o.parameters))
-    missing = setdiff (1:numel (known), [given.number])(1);
-    error (["%s: option parameters: expected bounds of all parameters of the request " ...
-            "(%s), found none of %s"], who, strjoin (known(:)', ", "), known{missing});
-  endif
   list = struct ("name", {}, "low", {}, "high", {});
   for k = 1:numel (known)
     value = m.par.(known{k});
-    low = high = value;   # where none are free
-    if (! isempty (given))
-      one = given([given.number] == k);
+    low = high = value;   # where it is not free
+    for one = given([given.number] == k)
       low = one.low;
       high = one.high;
-    endif
+    endfor
     list(end+1) = struct ("name", known{k}, "low", low, "high", high);
   endfor
 endfunction

@@ -39,13 +39,15 @@ def collocate(self, x0, xf, *, time, goal='time', final=None, inputs=None, state
               refinements=6, guess=None, polish=True, regularize=1.0, tolerance=1e-9,
               iterations=500, seconds=60.0, timeout=0.0):
     """An optimal motion from the states x0 to xf (NaN where one is free), as gsmbp_collocate of
-    Octave finds it; the scene has the request collocation, the module was built with Ipopt.
+    Octave finds it; the scene has the request collocation, the module was built with Ipopt. In a
+    closed chain what follows the actuated coordinates may be NaN in x0; in xf numbers for it are a
+    guess, unless an actuated coordinate (or speed) is free there: then all are demanded.
 
     time [s]: the duration, or (least, largest). goal: what is least, "time", the name of an
     output, state or input, whose integral is meant, "NAME^2" or "NAME*NAME", "final NAME", or
     such words with weights, {"effort": 1, "final x": -3}. final: bounds of states at the end,
     {name: (least, largest)}; inputs, states, outputs: on the way, by default those of the scene;
-    parameters: of all that are free. method: "radau" or "lobatto". intervals: of the first mesh;
+    parameters: of those that are free. method: "radau" or "lobatto". intervals: of the first mesh;
     accuracy: of states, by their largest value or 1, above which intervals are cut, at most
     refinements times. guess: a former result, or (t, x, v). polish: solve once more with the
     instants at which inputs jump as unknowns. regularize: weight of the roughness of inputs on
@@ -61,11 +63,11 @@ def collocate(self, x0, xf, *, time, goal='time', final=None, inputs=None, state
     p.put('par', self._values)
     p.put_texts('inputs', self.inputs)
     p.put_texts('outputs', self.outputs)
-    hint = _ends(who, self, p, x0, xf, states)
+    _ends(who, self, p, x0, xf, states)
     _bounds(who, self, p, time, final, inputs, states, outputs)
     _parameters(who, self, p, parameters)
     _goal(who, self, p, goal)
-    start = _guess(who, self, p, guess, hint)
+    start = _guess(who, self, p, guess)
     r = Motion()
     _solve(who, p, start, options, r)
     try:
@@ -123,7 +125,6 @@ def _options(who, method, intervals, accuracy, refinements, polish, regularize, 
 # --------------------------------------------------------------------------------- the problem
 
 def _ends(who, model, p, x0, xf, states):
-    """The states at the ends; those that follow in a closed chain are a guess, given back."""
     limits = _limits(who, 'states', states, model.states)
     for name, given in (('x0', x0), ('xf', xf)):
         x = np.asarray(given, float)
@@ -134,15 +135,6 @@ def _ends(who, model, p, x0, xf, states):
             raise ValueError('%s: %s: %s = %g is not within its bounds, %g to %g' % (
                 who, name, model.states[k], x[k], *limits[k]))
         p.put(name, x)
-    hint = x.copy()
-    if NLAM:
-        free = np.ones(NX, bool)
-        free[NQ + NU:] = False
-        for k in _actuated():
-            free[[k, NQ + k]] = False
-        x = np.where(free, np.nan, x)
-        p.put('xf', x)
-    return hint
 
 
 def _actuated():
@@ -209,9 +201,6 @@ def _parameters(who, model, p, given):
                          'none' % (who, NAME, list(given)[0]))
     rows = {known[k]: pair for k, *pair in _pairs(who, 'parameters', given, known)}
     for name in known:
-        if given and name not in rows:
-            raise ValueError('%s: parameters: expected bounds of all parameters of the request '
-                             '(%s); found none of %s' % (who, ', '.join(known), name))
         rows.setdefault(name, [model.parameters[name]] * 2)
     p.put('unknown_low', [rows[name][0] for name in known] or [0])
     p.put('unknown_high', [rows[name][1] for name in known] or [0])
@@ -261,9 +250,8 @@ def _integrand(who, model, name, weight, linear, products):
         products.append(Product(places[0], places[1], weight))
 
 
-def _guess(who, model, p, guess, hint):
+def _guess(who, model, p, guess):
     g = Guess(duration=1, nactuated=len(_actuated()))
-    g.put('xf_hint', hint)
     g.put('start', model.initial)
     g.put('actuated', _actuated() or [0], np.intc)
     if guess is None:
@@ -302,6 +290,8 @@ def _solve(who, p, start, options, r):
         raise ends.failure
     if bad == 1:
         raise MemoryError(who)
+    if bad == 3:
+        raise ValueError('%s: %s' % (who, r.ended.decode()))
     if bad:
         raise RuntimeError('%s: %s' % (who, r.ended.decode()))
 

@@ -27,8 +27,8 @@ typedef struct
 } gs_motion_options;
 
 /* where the search begins: n times from 0 to 1, states and inputs there, the duration [s]; n 0: on
- * a line between the ends, on the constraints: states that are free there are those of xf_hint,
- * which has the guesses of those that follow, or of start */
+ * a line between the ends, on the constraints: states that are free there are those of xf_hint
+ * (gs_collocate fills it), which has the guesses of those that follow, or of start */
 typedef struct
 {
   int n;
@@ -85,7 +85,10 @@ typedef struct
   void *room;
 } gs_motion;
 
-/* 0; 1: no memory; 2: the solver refuses, which ended says */
+/* In a closed chain numbers of xf for what follows the actuated coordinates are a guess, unless one
+ * of these is free there. 0; 1: no memory; 2: the solver refuses, 3: the start is no state of the
+ * chain, which ended says */
+enum { GS_MOTION_START = 3 };
 int gs_collocate (const gs_description *d, const gs_motion_problem *p, const gs_motion_guess *guess,
                   const gs_motion_options *o, gs_motion *r);
 void gs_motion_free (gs_motion *r);

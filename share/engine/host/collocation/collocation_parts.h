@@ -2,6 +2,7 @@
 #ifndef GSMBP_HOST_COLLOCATION_COLLOCATION_PARTS_H
 #define GSMBP_HOST_COLLOCATION_COLLOCATION_PARTS_H
 
+#include "host/assemble/assemble.h"
 #include "host/collocation/collocation.h"
 #include "host/collocation/program_parts.h"
 
@@ -39,7 +40,8 @@ typedef struct
   double began;                    /* on the clock [s] */
   gs_solution *solutions;          /* the newest first */
   int bad;                         /* as gs_collocate */
-  char refused[200];
+  char refused[2400];
+  char told[2400];                 /* what is known of the end, if no solution is found */
 } gs_search;
 
 /* what is found besides a solution; the room of a search has it */
@@ -66,6 +68,12 @@ double gs_time_left (const gs_search *w);
 gs_solution *gs_solve_mesh (gs_search *w, const gs_motion_problem *p, const gs_mesh *mesh,
                             const gs_guess *guess);
 gs_guess gs_guess_of (const gs_solution *s);
+/* the ends of a closed chain, of the problem p and of where the search begins; w->bad: refused */
+void gs_take_ends (gs_search *w, gs_motion_problem *p, gs_motion_guess *g);
+/* x (nx) with the coordinates held (nq, of 1) as they are, onto the constraints at t, on the branch
+ * of x; 0: there is none, or w->bad */
+int gs_close_chain (gs_search *w, const gs_motion_guess *g, double t, const int *held, double *x,
+                    gs_assembly *found);
 gs_guess gs_first_guess (gs_search *w, const gs_motion_guess *given);
 
 /* the unknowns of the point q */

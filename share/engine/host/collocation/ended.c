@@ -63,5 +63,8 @@ gs_say_end (const gs_search *w, const gs_solution *s, gs_motion *r)
     gs_put (&t, "; %s is singular from %.4g to %.4g s%s", w->p->inputs[r->arcs[k].input],
             r->arcs[k].from, r->arcs[k].until, r->arcs[k].weight > 0 ? " (made smooth there)" : "");
   if (! s->r.solved && ! r->stopped)
-    put_worst (s, &t);
+    {
+      put_worst (s, &t);
+      gs_put (&t, "%s", w->told);
+    }
 }

@@ -1,6 +1,7 @@
 /* guess.c: where an optimal motion begins: states on a line between the ends, or given ones.
  *
- * On a line accelerations are what these lines of the speeds have: those of the machine there
+ * In a closed chain what follows is closed along the line, the speeds are those of the path. On a
+ * line of an open one accelerations are what the lines of the speeds have: those of the machine
  * belong to another motion, from which Ipopt needs up to twice as many iterations. With a guess
  * accelerations and multipliers follow from it. */
 #include <math.h>
@@ -44,28 +45,45 @@ follow_motion (gs_search *w, double t, double *z)
   w->bad = gs_work_end (&work) == GS_LINEAR_NO_MEMORY ? 1 : w->bad;
 }
 
-/* the position of z that the loops allow, near to the one before */
-static void
-close_loops (gs_search *w, const gs_motion_guess *given, double t, const double *before, double *z,
-             gs_real *x)
+static int
+is_closed (const gs_scene *s)
 {
-  const gs_scene *s = w->d->scene;
-  gs_real residual = 0;
-  for (int j = 0; before && j < s->nq; j++)
+  return s->nlam > 0 && s->con && s->prj;
+}
+
+/* the speeds of z at t by the positions of before and after, the time span apart */
+static void
+follow_path (gs_search *w, double t, double span, const double *before, const double *after,
+             double *z)
+{
+  const gs_description *d = w->d;
+  const gs_scene *s = d->scene;
+  const int nq = s->nq, nu = s->nu, nr = d->nresiduals, nz = s->nx + nu + s->nlam + s->nv;
+  gs_linear_told told;
+  const gs_linear_place place = { .t = t, .cst = w->p->cst };
+  gs_work work = gs_work_begin (d, &place, &told);
+  gs_real *at = gs_numbers (&work, nz), *g = gs_numbers (&work, d->njacobian);
+  gs_real *k = gs_numbers (&work, nq * nu), *inverse = gs_numbers (&work, nu * nq);
+  gs_real *rates = gs_numbers (&work, nq), *u = gs_numbers (&work, nu);
+  if (at && g && k && inverse && rates && u)
     {
-      int actuated = 0;
-      for (int k = 0; k < given->nactuated; k++)
-        actuated |= given->actuated[k] == j;
-      if (! actuated)
-        z[j] = before[j];
+      for (int l = 0; l < s->nx; l++)
+        at[l] = z[l];
+      s->daj (t, at, at + s->nx, at + s->nx + nu, at + nz - s->nv, w->p->cst, g);
+      for (int e = 0; e < d->njacobian; e++)
+        {
+          const int i = d->jacobian[2 * e] - nr, l = d->jacobian[2 * e + 1] - 1 - nq;
+          if (i >= 0 && i < nq && l >= 0 && l < nu)
+            k[i + nq * l] = g[e];
+        }
+      for (int i = 0; i < nq; i++)
+        rates[i] = (after[i] - before[i]) / span;
+      gs_pseudo_inverse (&work, nq, nu, k, 1e-14, inverse);
+      gs_product (nu, nq, 1, inverse, rates, u);
+      for (int l = 0; l < nu; l++)
+        z[nq + l] = isfinite ((double)u[l]) ? (double)u[l] : z[nq + l];
     }
-  for (int j = 0; j < s->nx; j++)
-    x[j] = z[j];
-  int good = s->prj (t, x, w->p->cst, &residual) == 0;
-  for (int j = 0; j < s->nx; j++)
-    good = good && isfinite ((double)x[j]);
-  for (int j = 0; good && j < s->nx; j++)
-    z[j] = (double)x[j];
+  w->bad = gs_work_end (&work) == GS_LINEAR_NO_MEMORY ? 1 : w->bad;
 }
 
 static double
@@ -74,28 +92,48 @@ either (double a, double b, double c)
   return ! isnan (a) ? a : ! isnan (b) ? b : c;
 }
 
+/* The states of z, one after the other at t, n of them, onto the constraints: the driven coordinates
+ * as they are, the others next to where they were before; speeds between the ends by the path. */
+static void
+close_path (gs_search *w, const gs_motion_guess *given, int n, double duration, const double *t,
+            double *z)
+{
+  const gs_scene *s = w->d->scene;
+  const int nz = s->nx + s->nu + s->nlam + s->nv;
+  int *held = gs_room_places (&w->room, s->nq);
+  gs_assembly *found = gs_room_take (&w->room, 1, sizeof *found);
+  for (int j = 0; ! gs_search_bad (w) && j < given->nactuated; j++)
+    held[given->actuated[j]] = 1;
+  for (int k = 0; k < n && ! gs_search_bad (w); k++)
+    {
+      double *one = z + nz * k;
+      for (int j = 0; k > 0 && j < s->nq; j++)
+        one[j] = held[j] ? one[j] : one[j - nz];
+      gs_close_chain (w, given, t[k] * duration, held, one, found);
+    }
+  for (int k = 1; k < n - 1 && ! gs_search_bad (w); k++)
+    follow_path (w, t[k] * duration, (t[k + 1] - t[k - 1]) * duration, z + nz * (k - 1),
+                 z + nz * (k + 1), z + nz * k);
+}
+
 static void
 straight (gs_search *w, const gs_motion_guess *given, int n, double duration, double *t, double *z)
 {
   const gs_scene *s = w->d->scene;
   const gs_motion_problem *p = w->p;
   const int nz = s->nx + s->nu + s->nlam + s->nv;
-  gs_real *x = gs_room_reals (&w->room, s->nx);
-  if (gs_search_bad (w))
-    return;
   for (int k = 0; k < n; k++)
     {
-      double *one = z + nz * k;
       t[k] = (double)k / (n - 1);
       for (int j = 0; j < s->nx; j++)
         {
           const double a = either (p->x0[j], given->xf_hint[j], given->start[j]);
           const double b = either (given->xf_hint[j], p->x0[j], given->start[j]);
-          one[j] = a + (b - a) * t[k];
+          z[nz * k + j] = a + (b - a) * t[k];
         }
-      if (s->nlam > 0 && s->prj)
-        close_loops (w, given, t[k] * duration, k > 0 ? one - nz : NULL, one, x);
     }
+  if (is_closed (s))
+    close_path (w, given, n, duration, t, z);
 }
 
 /* inputs between their bounds, nearest to what is there; accelerations and multipliers */
@@ -112,7 +150,7 @@ complete (gs_search *w, int n, double duration, int line, const double *t, doubl
         one[l] = fmax (p->low[l], fmin (p->high[l], one[l]));
       follow_motion (w, t[k] * duration, one);
     }
-  for (int k = 0; line && k < n; k++)
+  for (int k = 0; line && ! is_closed (s) && k < n; k++)
     for (int j = s->nq; j < s->nq + s->nu; j++)
       z[nz * k + s->nx + j - s->nq] = (z[nz * (n - 1) + j] - z[j]) / duration;
 }
