@@ -57,8 +57,8 @@
 ## @item costates
 ## the derivatives of the least value by the states, a row for each point: lambda of the minimum
 ## principle, where the goal's integrand and lambda' * (rates of the states) make the
-## Hamiltonian.  To the accuracy of the states between intervals, with "radau" to a lower
-## order within them
+## Hamiltonian.  With "radau" to the accuracy of the states between intervals, to a lower order
+## within them; with "lobatto" to some square root of it
 ## @item goal, T, parameters
 ## the least value, the duration, the free parameters by name
 ## @item input, motion

@@ -79,6 +79,10 @@ def closed_forms():
     close('twice the mass: goal 48', heavy.goal, 48, 1e-8)
     r = m.collocate([0, 0], [1, 0], time=(0.1, 5), inputs={'F': (-2, 2)})
     close('the least time, where the force jumps', [r.T, *r.switches], [2**0.5, 0.5**0.5], 1e-12)
+    uneven = m.collocate([0, 0], [1, 0], time=(0.1, 5), inputs={'F': (-1, 3)})
+    gains = {one['bound']: one['multiplier'] for one in uneven.active}   # T^2 = 2/1 + 2/3
+    close('what a unit of each limit gains', [gains['least'], gains['largest']],
+          [1 / uneven.T, 1 / (9 * uneven.T)], 1e-9)
     s = m.simulate([0, 0], [0, r.T], input=r.input)
     close('a run with the inputs ends there', s.x[:, -1], [1, 0], 1e-6)
     i = m.inverse(r.motion, [0.1, 0.6])

@@ -63,6 +63,7 @@ meshed (gs_search *w, gs_motion_problem *p, const gs_mesh *mesh, const gs_guess 
   gs_solution *polished = gs_polish (w, s, &f->switches, &f->nswitches, &stopped);
   if (polished)
     {
+      f->nactive = gs_active_bounds (w, polished, &f->active);
       report_mesh (polished, f);
       return polished;
     }

@@ -104,7 +104,8 @@ gs_active_bounds (gs_search *w, const gs_solution *s, gs_active_bound **list)
       for (int q = 0; q < c->points; q++)
         {
           const int k = nz * q + at;
-          l[q] = s->low[k] == s->high[k] ? 0 : s->r.zu[k] - s->r.zl[k];
+          const int fixed = s->low[k] == s->high[k] && ! (p->held && j >= nx);
+          l[q] = fixed ? 0 : s->r.zu[k] - s->r.zl[k];
         }
       const gs_active_bound as = { .of = j < nx ? GS_BOUND_STATE : GS_BOUND_INPUT,
                                    .number = j < nx ? j : j - nx };

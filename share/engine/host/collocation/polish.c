@@ -90,9 +90,10 @@ pieces (gs_search *w, const gs_solution *s, int n, const double *begins)
   return (gs_mesh){ GS_RADAU_IIA, m, phase, begin, end };
 }
 
-/* the minimum principle: no input gains by leaving its limit */
+/* the minimum principle: no input gains by leaving its limit; what each would gain are the
+ * multipliers of these limits, which the solver has none of where inputs are held */
 static int
-is_optimal (gs_search *w, const gs_solution *s, const double *levels)
+is_optimal (gs_search *w, gs_solution *s, const double *levels)
 {
   const gs_program *c = s->c;
   const int nv = c->s->nv;
@@ -111,10 +112,13 @@ is_optimal (gs_search *w, const gs_solution *s, const double *levels)
     for (int j = 0; j < nv; j++)
       {
         const int l = c->nz - nv + j;
-        const double one = g[c->nz * q + l]
+        const double gain = g[c->nz * q + l];
+        const double one = gain
                            * (levels[nv * c->phase[q] + j] == s->p.high[l] ? -1 : 1);
         most = fmax (most, fabs (one));
         least = fmin (least, one);
+        s->r.zl[c->nz * q + l] = fmax (0, gain);
+        s->r.zu[c->nz * q + l] = fmax (0, -gain);
       }
   return least >= -1e-3 * most;
 }
