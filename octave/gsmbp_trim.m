@@ -92,9 +92,9 @@ function r = gsmbp_trim (m, x, v, varargin)
   r = result (m, o.time, x, v);
   [r.residual, r.way] = deal (residual, {"newton", "levenberg", "transient"}{way});
   r.running = m.coordinates(running)(:)';
-  r.unique = m.unique.multipliers';
   r.indifferent = [m.states(:); m.inputs(:)](moved)(:)';
-  gs.start.warn_of_rank ("gsmbp_trim", m, o.time, x, "singular_rest");
+  loose = gs.start.warn_of_rank ("gsmbp_trim", m, o.time, x, "singular_rest");
+  r.unique = (m.unique.multipliers & ! loose)';
 endfunction
 
 ## the guess: all states and inputs

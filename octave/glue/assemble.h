@@ -34,7 +34,8 @@ do_assemble (arguments& a, int)
 }
 
 // (those of asked_start, how many constraints are independent in general, where the scene starts):
-// how they depend on each other in the state, "" where they do not
+// how they depend on each other in the state, "" where they do not; 1 for those whose multipliers no
+// motion determines there
 static octave_value_list
 do_lost_rank (arguments& a, int)
 {
@@ -42,7 +43,11 @@ do_lost_rank (arguments& a, int)
   const int rank = a.integer_within ("rank", 0, S.nlam);
   const reals start = a.vector ("start", S.nx);
   char text[1000];
-  if (gs_lost_rank (&s.about, s.t, &s.cst[0], rank, &start[0], &s.x[0], text, sizeof text) < 0)
+  std::vector<int> loose (S.nlam + 1);
+  if (gs_lost_rank (&s.about, s.t, &s.cst[0], rank, &start[0], &s.x[0], loose.data (), text,
+                    sizeof text) < 0)
     throw std::bad_alloc ();
-  return ovl (text);
+  Matrix list (1, S.nlam);
+  std::copy_n (loose.data (), S.nlam, list.fortran_vec ());
+  return ovl (text, list);
 }

@@ -7,7 +7,18 @@ function test_trim ()
   moving ();
   far ();
   margins ();
+  flat ();
   integral ();
+end
+
+## a flat parallelogram without weight: nothing determines the force along its links
+function flat ()
+  m = gsmbp_set (gsmbp_fixture ("design_linkage"), "c", 0.1, "d", 0.3, "g", 0, "k", 0);
+  at = @(q) [q; -q; q; 0; 0; 0];
+  evalc ('r = gsmbp_trim (m, at (0), [], "hold", "q1", "free", "tau");');
+  gsmbp_check ("flat: which multipliers are determined", isequal (r.unique(:)', [false true]));
+  r = gsmbp_trim (m, at (0.3), [], "hold", "q1", "free", "tau");
+  gsmbp_check ("... elsewhere all", all (r.unique));
 end
 
 ## a cylinder out of its stroke is no equilibrium; a run that leaves the stroke, or ends there,

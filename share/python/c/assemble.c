@@ -13,9 +13,9 @@ gs_loop_assemble (const gs_assembly_asked *asked, const double *start, double *x
 
 int
 gs_loop_lost_rank (double t, const double *cst, int rank, const double *start, const double *x,
-                   char *text, int size)
+                   int *loose, char *text, int size)
 {
-  return gs_lost_rank (gs_loop_about (), t, cst, rank, start, x, text, size);
+  return gs_lost_rank (gs_loop_about (), t, cst, rank, start, x, loose, text, size);
 }
 
 /* bytes of the structures that Python fills and reads as well */

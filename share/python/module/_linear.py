@@ -11,7 +11,7 @@ from ._library import DependentWarning, Error, LIBRARY, NAME, SIZES, TABLE, at
 from ._structures import Asked, Linear, Place, Taken, Told
 from ._tables import REFUSALS
 
-NQ, NU, NX, NV, NY = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny'))
+NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 
 LinearModel = collections.namedtuple(
     'LinearModel', 'a b c d states inputs outputs tangent independent dropped')
@@ -121,16 +121,19 @@ def general_rank():
 
 
 def warn_of_rank(who, model, t, x, what):
-    """A warning where constraints that are independent elsewhere are not so."""
+    """A warning where constraints that are independent elsewhere are not so; (nlam,): true for
+    those whose multipliers nothing determines there."""
+    loose = np.zeros(max(1, NLAM), np.intc)
     text = ctypes.create_string_buffer(1000)
     found = LIBRARY.gs_loop_lost_rank(
         ctypes.c_double(t), at(model.cst), ctypes.c_int(general_rank()), at(model.initial), at(x),
-        text, ctypes.c_int(len(text)))
+        at(loose), text, ctypes.c_int(len(text)))
     if found < 0:
         raise MemoryError(who)
     if found:
         warnings.warn('%s: at this position %s: %s' % (who, text.value.decode(), what),
                       _run.RunWarning, stacklevel=5)
+    return loose[:NLAM] != 0
 
 
 def place(model, t, x, v):

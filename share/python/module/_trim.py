@@ -53,8 +53,8 @@ def trim(self, x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e
     if found.warning:
         warnings.warn('%s: %s' % (who, found.warning.decode()), _run.RunWarning, stacklevel=3)
     r = _result(self, t, found)
-    _linear.warn_of_rank(who, self, t, r.x, REFUSALS.singular_rest)
-    return r
+    loose = _linear.warn_of_rank(who, self, t, r.x, REFUSALS.singular_rest)
+    return r._replace(unique=r.unique & ~loose)
 
 
 def _asked(who, model, hold, free, steady):
@@ -85,4 +85,4 @@ def _result(model, t, found):
     return Trim(x, v, model.rhs(t, x, v)[NQ:NQ + NU], lam, phi, found.residual, WAYS[found.way],
                 tuple(model.coordinates[k] for k in np.flatnonzero(found.kept['running'][:NQ])),
                 tuple(names[k] for k in np.flatnonzero(found.kept['indifferent'])),
-                np.array([bool(row.get('unique', True)) for row in TABLE.get('multipliers') or []]))
+                np.array([row.get('unique', True) for row in TABLE.get('multipliers') or []], bool))

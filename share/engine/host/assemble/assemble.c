@@ -245,8 +245,8 @@ tell_rank (const assembly *s, const gs_real *start, const gs_real *x)
 {
   char lost[1000];
   const gs_work *w = s->w;
-  if (! s->found->lost[0] && gs_lost_rank (w->d, w->t, w->cst, s->a->rank, start, x, lost,
-                                           sizeof lost) > 0)
+  if (! s->found->lost[0] && gs_lost_rank (w->d, w->t, w->cst, s->a->rank, start, x, NULL,
+                                           lost, sizeof lost) > 0)
     snprintf (s->found->lost, sizeof s->found->lost, "at the position found %s; is it meant? "
               "(angles are in rad)", lost);
 }

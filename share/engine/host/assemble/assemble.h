@@ -41,10 +41,10 @@ int gs_assemble (const gs_description *d, const gs_assembly_asked *asked, const 
 
 /* how the constraints that are independent elsewhere, rank of them, depend on each other in the
  * state x, to 1e-4 of the largest, each row measured by its length there or in start, where the
- * scene starts: 1: text says in which rows; 0: they do not, or the scene has no CON; -1: no
- * memory */
+ * scene starts: 1: text says in which rows, loose (nlam; null: not wanted) is 1 for those whose
+ * multipliers no motion determines there; 0: they do not, or the scene has no CON; -1: no memory */
 int gs_lost_rank (const gs_description *d, gs_real t, const gs_real *cst, int rank,
-                  const gs_real *start, const gs_real *x, char *text, int size);
+                  const gs_real *start, const gs_real *x, int *loose, char *text, int size);
 
 #ifdef __cplusplus
 }

@@ -25,6 +25,16 @@ scale_rows (const gs_work *w, const gs_pose *here, const gs_pose *first, gs_real
     }
 }
 
+/* how much constraint i of m has of the combinations v (m,m) at the places first to last - 1 */
+static gs_real
+share_of (int m, const gs_real *v, int i, int first, int last)
+{
+  gs_real most = 0;
+  for (int k = first; k < last; k++)
+    most = gs_abs (v[i + m * k]) > most ? gs_abs (v[i + m * k]) : most;
+  return most;
+}
+
 /* v (nlam,nlam): combinations of constraints, those that have gone at the places n to rank */
 static void
 put_rows (const gs_work *w, const gs_real *v, int n, int rank, gs_writer *said)
@@ -32,10 +42,7 @@ put_rows (const gs_work *w, const gs_real *v, int n, int rank, gs_writer *said)
   const int m = w->s->nlam;
   for (int i = 0, many = 0; i < m; i++)
     {
-      gs_real most = 0;
-      for (int k = n; k < rank; k++)
-        most = gs_abs (v[i + m * k]) > most ? gs_abs (v[i + m * k]) : most;
-      if (! (most > GS_R (0.1)))
+      if (! (share_of (m, v, i, n, rank) > GS_R (0.1)))
         continue;
       gs_put (said, "%s", many++ ? ", " : "");
       if (w->d->constraints)
@@ -47,7 +54,7 @@ put_rows (const gs_work *w, const gs_real *v, int n, int rank, gs_writer *said)
 
 int
 gs_lost_rank (const gs_description *d, gs_real t, const gs_real *cst, int rank,
-              const gs_real *start, const gs_real *x, char *text, int size)
+              const gs_real *start, const gs_real *x, int *loose, char *text, int size)
 {
   gs_linear_told told;
   const gs_linear_place at = { .t = t, .cst = cst };
@@ -71,6 +78,8 @@ gs_lost_rank (const gs_description *d, gs_real t, const gs_real *cst, int rank,
           gs_put (&said, "%d of the %d constraints that are independent elsewhere are so, lost in "
                   "rows ", n, rank);
           put_rows (&w, v, n, rank, &said);
+          for (int i = 0; loose && i < m; i++)
+            loose[i] = share_of (m, v, i, n, m) > GS_R (1e-3);
           gs_put (&said, ": a change point, or links in one line");
         }
     }
