@@ -106,10 +106,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
                 && ! (static && any (strcmp (name, {"cmd", "cmx"})));
   gs.plan.check_continuous (who, m, pp, planned, times, o.quasistatic);
   nt = numel (times);
-  qj = zeros (d.nu, m.order + 1, nt);
-  closed = d.nlam > 0 && numel (planned) < d.nu;
   loops = d.nlam > 0;
-  guess = o.guess;
   r.t = times(:);
   r.tau = zeros (nt, merge (loops, d.nact, d.nu));
   r.lambda = zeros (nt, d.nlam);
@@ -120,25 +117,20 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   if (static)
     r.margins = zeros (nt, numel (m.static_margins));
   endif
-  at = @(jet, t, guess) gs.plan.whole_motion (who, m, jet, planned, closed, t, guess);
-  jet_at = @(t, side) permute (gsmbp_evaluate (pp, t, m.order, side), [1, 3, 2]);
-  motion_at = @(t, guess) at (jet_at (t, 1), t, guess);
-  jets = jet_at (times, o.side);
-  xi = o.internal;
+  given = {who, m, pp, planned, times, o.side, o.guess};
+  if (has ("cmx"))
+    given{end+1} = o.internal;
+  endif
+  [qj, xi] = gs.plan.along_plan (given{:});
   for i = 1:nt
-    if (i > 1 && has ("cmx") && ! isempty (m.internal))
-      xi = carried (m, motion_at, guess, xi, times(i-1), times(i));
-    endif
-    one = at (jets(:,:,i), times(i), guess);
-    qj(:,:,i) = one;
-    guess = one(:,1);
+    one = qj(:,:,i);
     if (loops)
       [r.tau(i,:), r.lambda(i,:)] = m.inl (times(i), one(:,1), one(:,2), one(:,3), o.input);
     elseif (has ("inv"))
       r.tau(i,:) = m.inv (times(i), one(:,1), one(:,2), one(:,3), o.input);
     endif
     if (has ("cmx"))
-      [r.v(i,:), xid, xa, r.margins(i,:)] = m.cmx (times(i), one, xi);
+      [r.v(i,:), xid, xa, r.margins(i,:)] = m.cmx (times(i), one, xi(:,i));
       r.x(i,:) = [one(:,1); one(:,2); xa];
     elseif (static)
       [r.v(i,:), r.margins(i,:)] = static_command (m, times(i), one(:,1:3));
@@ -253,47 +245,6 @@ function o = checked (who, m, o)
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
     error ("%s: option side: expected 1 or -1, found %s", who, gs.text.shown_value (o.side));
   endif
-endfunction
-
-## internal states from one time to another, by Octave's stiff solver: its
-## tolerance is far below what a plot or a table of the command shows
-function xi = carried (m, motion_at, guess, xi, from, to)
-  here = m.internal - m.sizes.nq - m.sizes.nu;
-  rates = @(y, t) internal_rates (m, motion_at, guess, xi, here, t, y);
-  old = {lsode_options("relative tolerance"), lsode_options("absolute tolerance")};
-  unwind_protect
-    lsode_options ("relative tolerance", 1e-11);
-    lsode_options ("absolute tolerance", 1e-13 * max (1, norm (xi(here), Inf)));
-    try
-      [y, state, text] = lsode (rates, xi(here), [from to]);
-    catch problem
-      [state, text] = deal (0, problem.message);
-    end_try_catch
-  unwind_protect_cleanup
-    lsode_options ("relative tolerance", old{1});
-    lsode_options ("absolute tolerance", old{2});
-  end_unwind_protect
-  if (state != 2)
-    error (["gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g " ...
-            "s to %.9g s: %s"], m.name, from, to, ...
-           reason (m, from, motion_at (from, guess), xi, text));
-  endif
-  xi(here) = y(end,:)';
-endfunction
-
-## margins that are not kept where it began, else what the solver says
-function text = reason (m, t, qj, xi, text)
-  [~, ~, ~, margins] = m.cmx (t, qj, xi);
-  broken = m.margins(! (margins > 0))(:)';
-  if (! isempty (broken))
-    text = ["not kept at the first of these times: " strjoin(broken, "; ")];
-  endif
-endfunction
-
-function yd = internal_rates (m, motion_at, guess, xi, here, t, y)
-  xi(here) = y;
-  [v, xid] = m.cmx (t, motion_at (t, guess), xi);
-  yd = xid(here);
 endfunction
 
 ## the states of the actuators behind q and u: Newton on u' of the right-hand

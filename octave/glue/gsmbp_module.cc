@@ -13,6 +13,7 @@
 #include "job.h"
 #include "adjoint.h"
 #include "linear.h"
+#include "planned.h"
 #include "assemble.h"
 #include "reach.h"
 #include "collocation.h"
@@ -69,7 +70,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "tangent", do_tangent }, { "modes", do_modes },
         { "followed modes", do_follow_modes }, { "rest slopes", do_rest_slopes },
         { "family steps", do_family_steps }, { "pole slopes", do_pole_slopes },
-         { "loop slopes", do_loop_slopes }, { "close", do_close },
+         { "loop slopes", do_loop_slopes }, { "planned", do_planned },
          { "assemble", do_assemble }, { "lost rank", do_lost_rank },
          { "axes", do_axes }, { "choose", do_choose }, { "free", do_free },
          { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },

@@ -325,22 +325,3 @@ do_loop_slopes (arguments& a, int)
     throw std::bad_alloc ();
   return ovl (x, e, bad == 2);
 }
-
-// (constants, time, order of CLO, guess of the coordinates, planned ones, their values):
-// coordinates on the branch of the guess, INFO, the part of the way that was tried last
-static octave_value_list
-do_close (arguments& a, int)
-{
-  const reals cst = a.constants ();
-  const number t = a.scalar ("t");
-  const int order = a.integer_within ("order", 1, 100);
-  reals q = a.vector ("guess", S.nq);
-  std::vector<int> planned = a.integers ("planned", -1);
-  const int n = int (planned.size ());
-  const reals target = a.vector ("target", n);
-  reals w = room (S.nu * (order + 5) + 2 * n);
-  number done = 1;
-  const int info = gs_close_along (S.run, t, order, n, planned.data (), &target[0], &cst[0],
-                                   &q[0], &done, &w[0]);
-  return ovl (result (q, S.nq), info, double (done));
-}

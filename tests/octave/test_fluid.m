@@ -29,7 +29,7 @@ function beyond_margins (m)
   said = gsmbp_complaint (@() gsmbp_inverse (m, plan, [0, 0.5], "internal", device));
   gsmbp_check ("inverse beyond the supply's pressure names the margin", ...
                ! isempty (regexp (said, ["^gsmbp_inverse: fluid_hydraulic: the internal states " ...
-                 "cannot .*: not kept at the first of these times: .*pressure of the rod side"])));
+                 "cannot .*; not kept at the first of these times: .*pressure of the rod side"])));
 end
 
 ## Valves opened at rest. Independent: masses of oil instead of pressures, p = beta*log (m/(rho V))

@@ -47,6 +47,8 @@ TEXTS = [
     ('share/engine/host/linear/linear.c', ''),
     ('share/engine/host/linear/trim_told.c', ''),
     ('share/engine/host/linear/vibrations.c', ''),
+    ('share/engine/host/planned.c', ''),
+    ('share/engine/host/carry_states.c', ''),
     ('share/engine/host/assemble/assemble.c', ''),
     ('share/engine/host/assemble/close_guess.c', ''),
     ('share/engine/host/ipopt/ipopt.c', ''),

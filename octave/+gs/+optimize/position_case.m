@@ -48,7 +48,7 @@ function q = position (m, q, held, values)
     q(held) = values;
   elseif (isequal (sort (held(:)), sort (m.actuated(:))))
     [planned, order] = sort (held(:));
-    jet = gs.plan.whole_motion ("gsmbp_optimize", m, values(order)(:), planned, true, 0, q);
+    jet = gs.plan.whole_motion ("gsmbp_optimize", m, values(order)(:), planned, 0, q);
     q = jet(:,1);
   else
     q(held) = values;

@@ -7,7 +7,6 @@
 function rows = path_limits (who, m, path, planned, limits, s, guess)
   middle = (s(1:end-1) + s(2:end)) / 2;
   [q, dq, ddq] = path_at (path, middle);
-  closed = m.sizes.nlam > 0 && numel (planned) < m.sizes.nu;
   used = any (isfinite ([limits.effort; limits.input]), 2);
   bounds = [limits.effort; limits.input];
   rows.least = bounds(used,1);
@@ -22,7 +21,7 @@ function rows = path_limits (who, m, path, planned, limits, s, guess)
     return;
   endif
   few = ! any (isfinite (limits.input(:)));
-  at = @(k, rate, second, guess) quantities (who, m, planned, closed, few, guess, q(:,k), ...
+  at = @(k, rate, second, guess) quantities (who, m, planned, few, guess, q(:,k), ...
                                              dq(:,k) * rate, ...
                                              dq(:,k) * second + ddq(:,k) * rate^2);
   k = 1:numel (middle);
@@ -71,9 +70,9 @@ endfunction
 
 ## Efforts of the planned coordinates, then the inputs (NaN where FEW), in the columns of Q, DQ,
 ## DDQ; the coordinates there.  GUESS of closed chains: a column each, or one for the first.
-function [f, guess] = quantities (who, m, planned, closed, few, guess, q, dq, ddq)
+function [f, guess] = quantities (who, m, planned, few, guess, q, dq, ddq)
   if (m.sizes.nlam > 0)
-    [f, guess] = of_loops (who, m, planned, closed, few, guess, q, dq, ddq);
+    [f, guess] = of_loops (who, m, planned, few, guess, q, dq, ddq);
     return;
   endif
   jets = zeros (m.sizes.nu, columns (q), m.order + 1);
@@ -85,13 +84,13 @@ function [f, guess] = quantities (who, m, planned, closed, few, guess, q, dq, dd
        commands(m, few, permute (jets, [1, 3, 2]))];
 endfunction
 
-function [f, found] = of_loops (who, m, planned, closed, few, guess, q, dq, ddq)
+function [f, found] = of_loops (who, m, planned, few, guess, q, dq, ddq)
   last = guess(:,1);
   for k = 1:columns (q)
     if (columns (guess) > 1)
       last = guess(:,k);
     endif
-    jet = gs.plan.whole_motion (who, m, [q(:,k), dq(:,k), ddq(:,k)], planned, closed, 0, last);
+    jet = gs.plan.whole_motion (who, m, [q(:,k), dq(:,k), ddq(:,k)], planned, 0, last);
     last = found(:,k) = jet(:,1);
     f(:,k) = [m.inl(0, jet(:,1), jet(:,2), jet(:,3)); commands(m, few, jet)];
   endfor

@@ -1,10 +1,10 @@
-/* run.c: runs, gs_follow_motion and gs_close_along for the module, their arguments one by one. */
+/* run.c: runs and planned motions for the module. */
 #include <time.h>
 
 #include "gsmbp/limits.h"
 #include "gsmbp/options.h"
 #include "gsmbp/refusals.h"
-#include "host/close_along.h"
+#include "host/planned.h"
 #include "host/run/run.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
@@ -59,7 +59,8 @@ int
 gs_loop_size (int which)
 {
   static const size_t sizes[] = { sizeof (gs_run_options), sizeof (gs_run_start),
-                                  sizeof (gs_run_inputs), sizeof (gs_run_result) };
+                                  sizeof (gs_run_inputs), sizeof (gs_run_result),
+                                  sizeof (gs_planned_asked), sizeof (gs_planned_found) };
   return (int)sizes[which];
 }
 
@@ -103,19 +104,8 @@ gs_loop_events (int nx, int *ip, double *rp, int *sizes)
   return (int)(a.record - rp);
 }
 
-/* the planned motion qj (nu,0:r) of a closed chain at t, see gs_follow_motion */
 int
-gs_loop_follow (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int np,
-                int k, const double *brk, const double *coef, const double *cst, double *qj,
-                double *w)
+gs_loop_planned (const gs_planned_asked *asked, gs_planned_found *found)
 {
-  return gs_follow_motion (s, t, side, r, na, ipl, np, k, brk, coef, cst, qj, w);
-}
-
-/* coordinates q of a closed chain with the planned ones at target, see gs_close_along */
-int
-gs_loop_close (const gs_scene *s, double t, int r, int na, const int *ipl, const double *target,
-               const double *cst, double *q, double *done, double *w)
-{
-  return gs_close_along (s, t, r, na, ipl, target, cst, q, done, w);
+  return gs_whole_motion (gs_loop_about (), asked, found);
 }

@@ -360,7 +360,7 @@ def _held(who, model, q, places, values):
         return closed(who, model, x, [COORDINATES[k] for k in places])[:NQ, 0] if NLAM else q
     planned, at = sorted(places), dict(zip(places, values))
     motion = Piecewise([0, 1], np.array([at[k] for k in planned])[:, None, None])
-    return _inverse._Follower(who, model, motion, [k + 1 for k in planned], q)(0.0, 1)[:, 0]
+    return _inverse.along(who, model, motion, [k + 1 for k in planned], [0.0], 1, q)[:, 0, 0]
 
 
 _KINDS = {'run': _simulated, 'inverse': _along, 'rest': _at_rest, 'positions': _positions}

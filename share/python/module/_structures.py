@@ -222,6 +222,21 @@ class PoleSlopes(_Structure):
     _fields_ = [('poles', _AT), ('frequency', _AT), ('damping', _AT)]
 
 
+class PlannedAsked(_Structure):
+    """gs_planned_asked of host/planned.h."""
+
+    _fields_ = [('cst', _AT), ('side', _INT), ('order', _INT), ('nplanned', _INT),
+                ('planned', _AT), ('pieces', _INT), ('powers', _INT), ('breaks', _AT),
+                ('coefficients', _AT), ('guess', _AT), ('devices', _AT), ('carry', _INT),
+                ('n', _INT), ('t', _AT)]
+
+
+class Planned(_Structure):
+    """gs_planned_found of the same."""
+
+    _fields_ = [('qj', _AT), ('devices', _AT), ('done', _INT), ('text', ctypes.c_char * 1000)]
+
+
 class AssemblyAsked(_Structure):
     """gs_assembly_asked of host/assemble/assemble.h."""
 
@@ -236,7 +251,7 @@ class Assembly(_Structure):
                 ('lost', ctypes.c_char * 1200)]
 
 
-for _k, _kind in enumerate((Options, Start, Inputs, Result)):
+for _k, _kind in enumerate((Options, Start, Inputs, Result, PlannedAsked, Planned)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
 for _k, _kind in enumerate((Rows, Results)):
