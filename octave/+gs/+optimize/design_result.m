@@ -32,8 +32,11 @@ function list = results (P, s)
     try
       list.(c.name) = gs.optimize.run_case (P, c, s.values);
     catch err
-      if (s.info != 2)
-        rethrow (err);
+      if (s.info != 2)   # no goal or demand has read it, or it would have failed before
+        pairs = [{P.free.name}; num2cell(s.values(:)')];
+        error (err.identifier, "%s; at the values found: %s", err.message, ...
+               strjoin (cellfun (@(name, x) sprintf ("%s = %.6g", name, x), pairs(1,:), ...
+                                 pairs(2,:), "UniformOutput", false), ", "));
       endif
     end_try_catch
   endfor

@@ -29,7 +29,7 @@ def assemble(self, guess, *, hold=(), time=0.0, tolerance=1e-10, branches=0):
     who = NAME + '.assemble'
     check(who, 'tolerance', tolerance, 'positive')
     if not (is_number(branches) and 0 <= branches <= 1e6 and branches == int(branches)):
-        raise ValueError('%s: branches: expected a whole number from 0 on; found %r' % (
+        raise ValueError('%s: branches: expected a whole number from 0 to 1000000; found %r' % (
             who, branches))
     t = _run._vector(who, 'time', [time] if np.ndim(time) == 0 else time, 1, 'time [s]')[0]
     bare = np.shape(guess) == (NQ,)

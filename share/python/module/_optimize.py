@@ -351,9 +351,10 @@ def _results(cases, p, info):
     for case in cases.cases:
         try:
             found[case.name] = cases.run(case, p)[0]
-        except (ArithmeticError, ValueError):
-            if info != 2:
-                raise
+        except (ArithmeticError, ValueError) as problem:
+            if info != 2:   # no goal or demand has read it, or it would have failed before
+                raise type(problem)('%s; at the values found: %s' % (problem, ', '.join(
+                    '%s = %.6g' % pair for pair in cases.values(p).items()))) from problem
     return found
 
 

@@ -70,6 +70,16 @@ known (const gs_narrowed *q, const double *p)
          && ! memcmp (q->free, w->last_free, n * sizeof (int));
 }
 
+/* why there is nothing, and at which values */
+static void
+tell_trouble (const gs_search_design *w, const double *p, char *trouble)
+{
+  gs_writer t = { trouble, sizeof w->v.trouble, 0 };
+  gs_put (&t, "%s", w->v.trouble);
+  for (int i = 0; i < w->d->nfree && i < 8; i++)
+    gs_put (&t, "%s%s = %.6g", i ? ", " : "; at ", w->d->free[i].name, p[i]);
+}
+
 static int
 ask (gs_narrowed *q, const double *p, char *trouble)
 {
@@ -91,7 +101,7 @@ ask (gs_narrowed *q, const double *p, char *trouble)
   for (int k = 0; k < d->nfree; k++)
     q->rough[k] |= w->v.rough[k];
   if (! w->there)
-    snprintf (trouble, sizeof w->v.trouble, "%s", w->v.trouble);
+    tell_trouble (w, p, trouble);
   return found;
 }
 
