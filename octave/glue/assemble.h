@@ -34,8 +34,8 @@ do_assemble (arguments& a, int)
 }
 
 // (those of asked_start, how many constraints are independent in general, where the scene starts):
-// how they depend on each other in the state, "" where they do not; 1 for those whose multipliers no
-// motion determines there
+// how they depend on each other in the state, "" where they do not; 1 for those whose multipliers
+// no motion determines there
 static octave_value_list
 do_lost_rank (arguments& a, int)
 {

@@ -123,8 +123,8 @@ function contradicting (m)
   for top = [10 1e3 1e6]
     [r, info] = gsmbp_optimize (m, {"k", top / 2, [0 top]}, {"value", "k"}, {"value", "k", "=", 1});
     gsmbp_check (sprintf ("an equation between 0 and %g, found %.2g off", top, r.values.k - 1), ...
-                 info == 0 && abs (r.values.k - 1) < 2e-9 && strcmp (r.active(1).text, "value k = 1")
-                 && r.active(1).bound == 1);
+                 info == 0 && abs (r.values.k - 1) < 2e-9 ...
+                 && strcmp (r.active(1).text, "value k = 1") && r.active(1).bound == 1);
   end
   [r, info] = gsmbp_optimize (m, {"k", 40, [1 500]}, {}, {@(p) 5 / p.k, "<", 0.05});
   gsmbp_check (sprintf ("one that a first solver does not meet, by k = %g", r.values.k), ...

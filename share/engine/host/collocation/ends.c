@@ -88,7 +88,8 @@ check_start (gs_search *w, const double *x0)
   gs_worst_residuals (d, scaled, found, gs_limits.off_constraints, rows, sizeof rows);
   w->bad = GS_MOTION_START;
   snprintf (w->refused, sizeof w->refused,
-            "x0: expected a state on the constraints, found %s; states that follow may be NaN", rows);
+            "x0: expected a state on the constraints, found %s; states that follow may be NaN",
+            rows);
 }
 
 /* what follows where the driven joints are known */

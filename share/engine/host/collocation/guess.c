@@ -92,8 +92,9 @@ either (double a, double b, double c)
   return ! isnan (a) ? a : ! isnan (b) ? b : c;
 }
 
-/* The states of z, one after the other at t, n of them, onto the constraints: the driven coordinates
- * as they are, the others next to where they were before; speeds between the ends by the path. */
+/* The states of z, one after the other at t, n of them, onto the constraints: the driven
+ * coordinates as they are, the others next to where they were before; speeds between the ends by
+ * the path. */
 static void
 close_path (gs_search *w, const gs_motion_guess *given, int n, double duration, const double *t,
             double *z)

@@ -52,8 +52,8 @@ double gs_scale_of (const gs_free *v);
 
 /* Goal and demands at a point of n unknowns: J and its gradient; m numbers g with their derivatives
  * a (m,n), between low and high; row: the demand of each, -1: of a peak that is a goal; h (n,n):
- * the Gauss-Newton matrix of goals that are squares; size: beside which misses of a number count (0:
- * not known). Arrays of its own. */
+ * the Gauss-Newton matrix of goals that are squares; size: beside which misses of a number count,
+ * where that is known, else 0. Arrays of its own. */
 typedef struct
 {
   int n, m, there;
