@@ -13,8 +13,7 @@ function m = model_handles (m, calls)
     calls = f ("calls")';
   endif
   for name = calls
-    call = name{1};
-    m.(call) = @(varargin) f (call, cst, varargin{:});
+    m.(name{1}) = f ("bound", cst, name{1});
   endfor
 endfunction
 
