@@ -120,6 +120,9 @@ function contradicting (m)
   [~, info] = gsmbp_optimize (m, {"k", 40, [1 500]}, {"value", "k"}, ...
                               {@(p) 0.67 - sqrt (p.k - 1), ">", 1});
   gsmbp_check ("one that is missed where its derivative is infinite", info == 2);
+  r = gsmbp_optimize (m, {"k", 1, [1e-9 1e9]}, {"value", "k"}, {"value", "k", ">", 3e8});
+  gsmbp_check (sprintf ("solved is an optimum far from the start, or not said: %g", r.values.k), ...
+               ! r.solved || abs (r.values.k / 3e8 - 1) < 1e-6);
   for top = [10 1e3 1e6]
     [r, info] = gsmbp_optimize (m, {"k", top / 2, [0 top]}, {"value", "k"}, {"value", "k", "=", 1});
     gsmbp_check (sprintf ("an equation between 0 and %g, found %.2g off", top, r.values.k - 1), ...

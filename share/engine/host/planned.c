@@ -46,8 +46,9 @@ close_first (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
   return cannot_follow (w, t, "at", tried, info);
 }
 
+/* to t at one go: the way of a plan that comes back in between would be seen at its ends alone */
 static int
-follow (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
+follow_to (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
 {
   const gs_planned_asked *a = w->a;
   const int first = ! (place->kept[1] > 0);
@@ -61,6 +62,53 @@ follow (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
   for (int k = 0; k < a->nplanned; k++)
     w->close[k] = place->qj[a->planned[k] - 1];
   return cannot_follow (w, t, first ? "at" : "beyond", w->close, info);
+}
+
+enum { PARTS = 8 }; /* of each piece of a plan */
+
+/* stop k of the way along the plan, PARTS for each piece */
+static gs_real
+stop_at (const gs_planned_asked *a, int k)
+{
+  const gs_real *b = a->breaks + k / PARTS;
+  return k % PARTS ? b[0] + (b[1] - b[0]) * (gs_real)(k % PARTS) / PARTS : b[0];
+}
+
+/* the first stop behind t */
+static int
+stop_behind (const gs_planned_asked *a, gs_real t)
+{
+  int low = 0, high = a->pieces * PARTS + 1;
+  while (low < high)
+    {
+      const int middle = (low + high) / 2;
+      if (stop_at (a, middle) > t)
+        high = middle;
+      else
+        low = middle + 1;
+    }
+  return low;
+}
+
+/* from stop to stop between where it is and t */
+static int
+follow (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
+{
+  const gs_planned_asked *a = w->a;
+  if (place->kept[1] > 0)
+    {
+      const gs_real from = place->kept[0];
+      const int up = t > from, last = a->pieces * PARTS;
+      for (int k = stop_behind (a, from) - ! up; k >= 0 && k <= last; k += up ? 1 : -1)
+        {
+          const gs_real stop = stop_at (a, k);
+          if (up ? ! (stop < t) : ! (stop > t))
+            break;
+          if (! follow_to (w, place, stop, side))
+            return 0;
+        }
+    }
+  return follow_to (w, place, t, side);
 }
 
 /* a motion of all coordinates must fulfil the constraints; 1: it does */

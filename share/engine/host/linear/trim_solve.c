@@ -33,7 +33,10 @@ gs_trim_worst (const gs_trim_problem *p, const gs_real *z, gs_real t, gs_real to
       gs_real rounding = 0;
       for (int j = 0; j < n; j++)
         rounding += gs_abs (jacobian[i + ne * j]) * gs_max (gs_abs (z[j]), p->size[j]);
+      /* where derivatives are infinite (lost rank) rounding hides nothing */
       rounding *= 1000 * gs_epsilon ();
+      if (rounding > GS_R (1e-3) * p->usual[i])
+        rounding = GS_R (1e-3) * p->usual[i];
       gs_real one = gs_abs (found[i]) / gs_max (tolerance * p->usual[i], rounding);
       if (gs_not_finite (1, &one) != 0)
         one = (gs_real)HUGE_VAL;

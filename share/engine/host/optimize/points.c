@@ -70,7 +70,7 @@ gs_point_sizes (const gs_point *e, double *sizes)
   for (int i = 0; i < e->m; i++)
     {
       const double slope = gs_point_steepest (e, i), size = e->size[i];
-      const double most = size > 0 ? fmax (size, 1e-9 * slope) : slope;
+      const double most = size > 0 ? fmax (size, 1e-12 * slope) : slope;
       sizes[i] = most < 1e-12 ? 1 : most;
     }
 }

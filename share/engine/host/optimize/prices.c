@@ -215,6 +215,29 @@ add_numbers (active_list *l)
 
 /* ----------------------------------------------------------------------------- multipliers */
 
+/* how far unknown j may go: far from where its size was taken, its own size */
+static double
+reach (const gs_nlp_end *r, int j)
+{
+  return fmax (1, fabs (r->z[j]));
+}
+
+/* by how much the goal changes along its gradient */
+static double
+steepness (const gs_nlp_end *r, int n)
+{
+  double most = 0;
+  for (int j = 0; j < n; j++)
+    most = fmax (most, fabs (r->e.gJ[j]) * reach (r, j));
+  return most;
+}
+
+static double
+size_of_goal (const gs_nlp_end *r, int n)
+{
+  return fmax (r->size_J, steepness (r, n));
+}
+
 /* the gradient as a sum of normals, factors >= 0, of equations any; what is left of it */
 static int
 price (active_list *l)
@@ -243,9 +266,9 @@ price (active_list *l)
           double rest = r->e.gJ[j];
           for (int k = 0; k < m; k++)
             rest -= a[j + n * k] * x[k];
-          left = fmax (left, fabs (rest));
+          left = fmax (left, fabs (rest) * reach (r, j));
         }
-      l->b->optimality = left / fmax (r->size_J, gs_largest (n, r->e.gJ));
+      l->b->optimality = left / size_of_goal (r, n);
       for (int k = 0; k < l->many; k++)
         {
           const double length = gs_largest (n, l->all[k].normal);
@@ -291,7 +314,7 @@ gs_price (gs_best *b, const double *low, const double *high)
   add_numbers (&l);
   int bad = b->room.full;
   if (! l.many || n == 0)
-    b->optimality = n ? gs_largest (n, b->r.e.gJ) / b->r.size_J : 0;
+    b->optimality = n ? steepness (&b->r, n) / size_of_goal (&b->r, n) : 0;
   for (int k = 0; k < l.many && n == 0; k++)
     l.all[k].told.multiplier = NAN; /* all is chosen from lists: nothing can give way */
   if (! bad && l.many && n > 0)
