@@ -204,7 +204,7 @@ do_collocate (arguments& a, int)
     independent.push_back (int (actuated(k)) - 1);
   const gs_motion_guess guess
       = { int (t.numel ()), t.data (), x.data (), v.data (), g.contents ("T").double_value (),
-          nullptr, start.data (), int (independent.size ()), independent.data () };
+          start.data (), int (independent.size ()), independent.data () };
   const gs_motion_options options
       = { o.contents ("method").string_value () == "lobatto" ? GS_LOBATTO : GS_RADAU_IIA,
           int (of ("intervals")), of ("accuracy"), int (of ("refinements")),

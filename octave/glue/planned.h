@@ -31,6 +31,8 @@ do_planned (arguments& a, int)
   const Matrix plan = a.matrix ("coefficients", -1, -1);
   const reals guess = a.vector ("guess", S.nu), devices = a.vector ("devices", rest);
   asked.carry = a.integer_within ("carry", 0, 1);
+  if (S.nlam > 0 && int (planned.size ()) < S.nu)
+    routine ("clo");
   const reals coefficients (plan.data (), plan.data () + plan.numel ());
   asked.cst = &cst[0];
   asked.nplanned = int (planned.size ());

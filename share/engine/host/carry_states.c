@@ -3,7 +3,6 @@
  * Solving Ordinary Differential Equations II, section IV.9. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/solve.h"

@@ -1,11 +1,8 @@
 /* planned.c: the whole motion of a scene of which some coordinates are planned. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
-#include "gsmbp/limits.h"
 #include "host/close_along.h"
 #include "host/planned_parts.h"
 #include "host/text.h"
@@ -111,35 +108,27 @@ follow (gs_plan_way *w, gs_planned_place *place, gs_real t, int side)
   return follow_to (w, place, t, side);
 }
 
-/* a motion of all coordinates must fulfil the constraints; 1: it does */
+/* a motion of all coordinates must fulfil the constraints; 1: it does; text "": no memory */
 static int
 is_consistent (gs_plan_way *w, gs_real t, const gs_real *qj)
 {
-  const gs_description *d = w->d;
-  const int nq = d->scene->nq, nx = d->scene->nx, n = gs_residual_rows (d);
-  gs_real *x = calloc ((size_t)nx + 1, sizeof *x);
-  double *rows = malloc ((2 * (size_t)n + 1) * sizeof *rows);
-  int good = x && rows;
-  w->text[0] = 0;
-  if (good)
+  const gs_scene *s = w->d->scene;
+  gs_real *x = calloc ((size_t)s->nx + 1, sizeof *x);
+  char rows[900];
+  int beside = -1;
+  if (x)
     {
-      gs_copy (nq, qj, x);
-      gs_copy (d->scene->nu, qj + nq, x + nq);
-      good = gs_residuals (d, t, x, w->a->cst, rows, rows + n) == 0;
-    }
-  int off = 0;
-  for (int k = 0; good && k < n; k++)
-    off |= ! (fabs (rows[k]) <= gs_limits.off_constraints);
-  if (off)
-    {
-      gs_writer s = { w->text, w->size, 0 };
-      gs_put (&s, "expected a planned motion on the constraints, found at t = %.9g s ", (double)t);
-      gs_worst_residuals (d, rows, rows + n, gs_limits.off_constraints, s.text + s.length,
-                          s.size - s.length);
+      gs_copy (s->nq, qj, x);
+      gs_copy (s->nu, qj + s->nq, x + s->nq);
+      beside = gs_beside_constraints (w->d, t, x, w->a->cst, rows, sizeof rows);
     }
   free (x);
-  free (rows);
-  return good && ! off;
+  w->text[0] = 0;
+  if (beside > 0)
+    snprintf (w->text, (size_t)w->size,
+              "expected a planned motion on the constraints, found at t = %.9g s %s", (double)t,
+              rows);
+  return beside == 0;
 }
 
 int

@@ -36,8 +36,9 @@ typedef struct
   char text[1000];                   /* why no more */
 } gs_planned_found;
 
-/* a motion of all coordinates of a closed chain must fulfil its constraints; 0; 1: no memory; 2:
- * text says what the chain or a device cannot do; 3: what of the internal states */
+/* Loops that the plan leaves open are closed by CLO, which the scene must have then; a motion of
+ * all coordinates of a closed chain must fulfil its constraints. 0; 1: no memory; 2: text says what
+ * the chain or a device cannot do; 3: what of the internal states */
 int gs_whole_motion (const gs_description *d, const gs_planned_asked *asked,
                      gs_planned_found *found);
 

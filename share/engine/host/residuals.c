@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gsmbp/limits.h"
 #include "gsmbp/refusals.h"
 #include "host/start.h"
 #include "host/text.h"
@@ -217,4 +218,19 @@ gs_worst_residuals (const gs_description *d, const double *scaled, const double 
     gs_put (&w, " and %d more", n - most);
   if (nowhere)
     gs_put (&w, "%s", gs_refusals.no_number);
+}
+
+int
+gs_beside_constraints (const gs_description *d, gs_real t, const gs_real *x, const gs_real *cst,
+                       char *text, int size)
+{
+  const int n = gs_residual_rows (d);
+  double *rows = malloc ((2 * (size_t)n + 1) * sizeof *rows);
+  int beside = rows && gs_residuals (d, t, x, cst, rows, rows + n) == 0 ? 0 : -1;
+  for (int k = 0; beside >= 0 && k < n; k++)
+    beside |= ! (fabs (rows[k]) <= gs_limits.off_constraints);
+  if (beside > 0)
+    gs_worst_residuals (d, rows, rows + n, gs_limits.off_constraints, text, size);
+  free (rows);
+  return beside;
 }

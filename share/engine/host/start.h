@@ -111,6 +111,11 @@ void gs_residual_name (const gs_description *d, int k, char *text, int size);
 void gs_worst_residuals (const gs_description *d, const double *scaled, const double *found,
                          double limit, char *text, int size);
 
+/* is the state x beside its constraints by more than a start may be? 1: text has the worst rows;
+ * 0; -1: no memory */
+int gs_beside_constraints (const gs_description *d, gs_real t, const gs_real *x,
+                           const gs_real *cst, char *text, int size);
+
 /* ---------------------------------------------------------------------------------------- start */
 
 /* the settled states of x where their rates vanish at t with all inputs zero, but for those with

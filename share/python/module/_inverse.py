@@ -49,6 +49,8 @@ def inverse(self, motion, times, *, side=1, guess=None, internal=None):
 def along(who, model, poly, planned, times, side, guess, devices=None):
     """The motion of all coordinates at the times, one after the other, (nu, 1 + order, n), loops
     closed from the guess on; with the states of the devices at the first time theirs, (.., n)."""
+    if SIZES['nlam'] and len(planned) < SIZES['nu']:
+        model._has('clo')
     n, order = len(times), TABLE['command_order']
     qj = np.zeros((SIZES['nu'], 1 + order, n), order='F')
     states = np.zeros((SIZES['nx'] - SIZES['nq'] - SIZES['nu'], n), order='F')
@@ -66,5 +68,5 @@ def along(who, model, poly, planned, times, side, guess, devices=None):
     if bad == 1:
         raise MemoryError(who)
     if bad:
-        raise Error('%s: %s' % (who, found.text.decode()), bad)
+        raise Error('%s: %s' % (who, found.text.decode()))
     return qj if devices is None else (qj, states)

@@ -30,7 +30,7 @@ class Guess(_Structure):
     """gs_motion_guess."""
 
     _fields_ = [('n', _INT), ('t', _AT), ('x', _AT), ('v', _AT), ('duration', _REAL),
-                ('xf_hint', _AT), ('start', _AT), ('nactuated', _INT), ('actuated', _AT)]
+                ('start', _AT), ('nactuated', _INT), ('actuated', _AT)]
 
 
 class Options(_Structure):

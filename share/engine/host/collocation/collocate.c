@@ -137,16 +137,15 @@ gs_collocate (const gs_description *d, const gs_motion_problem *p, const gs_moti
               const gs_motion_options *o, gs_motion *r)
 {
   gs_motion_problem own = *p;
-  gs_motion_guess begins = *guess;
   gs_search w = { .d = d, .p = &own, .o = o, .began = gs_wall_clock () };
   gs_found found = { 0 };
   memset (r, 0, sizeof *r);
-  gs_take_ends (&w, &own, &begins);
-  gs_solution *s = gs_search_bad (&w) ? NULL : refined (&w, &begins, &found, r);
+  gs_take_ends (&w, &own, guess);
+  gs_solution *s = gs_search_bad (&w) ? NULL : refined (&w, guess, &found, r);
   if (s && ! gs_search_bad (&w))
     {
       r->solved = s->r.solved && s->error <= o->accuracy;
-      gs_take_motion (&w, s, &begins, &found, r);
+      gs_take_motion (&w, s, guess, &found, r);
       gs_say_end (&w, s, r);
     }
   if (gs_search_bad (&w))

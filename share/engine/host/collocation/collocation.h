@@ -27,14 +27,13 @@ typedef struct
 } gs_motion_options;
 
 /* where the search begins: n times from 0 to 1, states and inputs there, the duration [s]; n 0: on
- * a line between the ends, on the constraints: states that are free there are those of xf_hint
- * (gs_collocate fills it), which has the guesses of those that follow, or of start */
+ * a line between the ends, on the constraints; states that are free there are those of start */
 typedef struct
 {
   int n;
   const double *t, *x, *v;       /* n, (nx,n), (nv,n) */
   double duration;
-  const double *xf_hint, *start; /* nx */
+  const double *start;           /* nx */
   int nactuated;
   const int *actuated;           /* coordinates that others follow in a closed chain */
 } gs_motion_guess;

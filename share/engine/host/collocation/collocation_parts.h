@@ -38,6 +38,7 @@ typedef struct
   const gs_motion_options *o;
   gs_room room;
   double began;                    /* on the clock [s] */
+  const double *hint;              /* nx: the end, where it is free a guess */
   gs_solution *solutions;          /* the newest first */
   int bad;                         /* as gs_collocate */
   char refused[2400];
@@ -55,6 +56,11 @@ typedef struct
 } gs_found;
 
 static inline int
+gs_is_closed (const gs_scene *s)
+{
+  return s->nlam > 0 && s->con;
+}
+static inline int
 gs_search_bad (gs_search *w)
 {
   if (w->room.full && ! w->bad)
@@ -68,8 +74,8 @@ double gs_time_left (const gs_search *w);
 gs_solution *gs_solve_mesh (gs_search *w, const gs_motion_problem *p, const gs_mesh *mesh,
                             const gs_guess *guess);
 gs_guess gs_guess_of (const gs_solution *s);
-/* the ends of a closed chain, of the problem p and of where the search begins; w->bad: refused */
-void gs_take_ends (gs_search *w, gs_motion_problem *p, gs_motion_guess *g);
+/* the ends of a closed chain, of the problem p and where the search begins; w->bad: refused */
+void gs_take_ends (gs_search *w, gs_motion_problem *p, const gs_motion_guess *g);
 /* x (nx) with the coordinates held (nq, of 1) as they are, onto the constraints at t, on the branch
  * of x; 0: there is none, or w->bad */
 int gs_close_chain (gs_search *w, const gs_motion_guess *g, double t, const int *held, double *x,

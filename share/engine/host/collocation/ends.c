@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "gsmbp/limits.h"
 #include "host/collocation/collocation_parts.h"
 #include "host/text.h"
 
@@ -16,21 +15,13 @@ is_actuated (const gs_motion_guess *g, int coordinate)
   return 0;
 }
 
-/* is state j the coordinate or the speed of a joint that is driven? */
+/* whether the driven joints are known in x, their coordinates (first 0) or speeds (first nq); there
+ * are some */
 static int
-is_leading (const gs_search *w, const gs_motion_guess *g, int j)
+leads (const gs_motion_guess *g, const double *x, int first)
 {
-  const int nq = w->d->scene->nq;
-  return is_actuated (g, j) || (j >= nq && is_actuated (g, j - nq));
-}
-
-/* whether the driven joints are known in x, coordinates (and speeds); there are some */
-static int
-leads (const gs_search *w, const gs_motion_guess *g, const double *x, int speeds)
-{
-  const int nq = w->d->scene->nq;
   for (int k = 0; k < g->nactuated; k++)
-    if (isnan (x[g->actuated[k]]) || (speeds && isnan (x[nq + g->actuated[k]])))
+    if (isnan (x[first + g->actuated[k]]))
       return 0;
   return g->nactuated > 0;
 }
@@ -70,26 +61,19 @@ why_none (const gs_assembly *found)
 static void
 check_start (gs_search *w, const double *x0)
 {
-  const gs_description *d = w->d;
-  const int nx = d->scene->nx, n = gs_residual_rows (d);
+  const int nx = w->d->scene->nx;
   gs_real *x = gs_room_reals (&w->room, nx);
-  double *scaled = gs_room_numbers (&w->room, n), *found = gs_room_numbers (&w->room, n);
+  char rows[900];
   if (gs_search_bad (w))
     return;
   for (int j = 0; j < nx; j++)
     x[j] = isnan (x0[j]) ? 0 : x0[j];
-  w->bad = gs_residuals (d, w->p->t0, x, w->p->cst, scaled, found);
-  double most = 0;
-  for (int k = 0; k < n && ! w->bad; k++)
-    most = ! (fabs (scaled[k]) <= most) ? fabs (scaled[k]) : most;
-  if (w->bad || most <= gs_limits.off_constraints)
-    return;
-  char rows[900];
-  gs_worst_residuals (d, scaled, found, gs_limits.off_constraints, rows, sizeof rows);
-  w->bad = GS_MOTION_START;
-  snprintf (w->refused, sizeof w->refused,
-            "x0: expected a state on the constraints, found %s; states that follow may be NaN",
-            rows);
+  const int beside = gs_beside_constraints (w->d, w->p->t0, x, w->p->cst, rows, sizeof rows);
+  w->bad = beside < 0 ? 1 : beside > 0 ? GS_MOTION_START : 0;
+  if (beside > 0)
+    snprintf (w->refused, sizeof w->refused,
+              "x0: expected a state on the constraints, found %s; states that follow may be NaN",
+              rows);
 }
 
 /* what follows where the driven joints are known */
@@ -103,7 +87,7 @@ complete_start (gs_search *w, const gs_motion_guess *g, const char *missing, dou
   gs_assembly *found = gs_room_take (&w->room, 1, sizeof *found);
   if (gs_search_bad (w))
     return;
-  if (! leads (w, g, x0, 1))
+  if (! leads (g, x0, 0) || ! leads (g, x0, s->nq))
     {
       w->bad = GS_MOTION_START;
       gs_put (&t, "x0: in a closed chain expected numbers for all coordinates and speeds");
@@ -139,7 +123,7 @@ close_end (gs_search *w, const gs_motion_guess *g, const double *xf, double *hin
   gs_writer t = { w->told, sizeof w->told, 0 };
   if (gs_search_bad (w))
     return;
-  const int led = leads (w, g, xf, 0);
+  const int led = leads (g, xf, 0);
   for (int j = 0; j < s->nq; j++)
     held[j] = ! isnan (xf[j]) && (! led || is_actuated (g, j));
   if (! gs_close_chain (w, g, w->p->t0, held, hint, found))
@@ -170,20 +154,19 @@ take_end (gs_search *w, const gs_motion_guess *g, const double *x0, double *xf, 
   close_end (w, g, xf, hint);
   for (int speeds = 0; speeds < 2; speeds++)
     {
-      const int first = speeds ? s->nq : 0, last = speeds ? s->nq + s->nu : s->nq;
-      int lead = g->nactuated > 0;
-      for (int j = first; j < last; j++)
-        lead = lead && ! (is_leading (w, g, j) && isnan (xf[j]));
-      for (int j = first; j < last; j++)
-        if (lead && ! is_leading (w, g, j))
-          xf[j] = NAN;
+      const int first = speeds ? s->nq : 0, many = speeds ? s->nu : s->nq;
+      const int led = leads (g, xf, first);
+      for (int j = 0; led && j < many; j++)
+        if (! is_actuated (g, j))
+          xf[first + j] = NAN;
     }
 }
 
 void
-gs_take_ends (gs_search *w, gs_motion_problem *p, gs_motion_guess *g)
+gs_take_ends (gs_search *w, gs_motion_problem *p, const gs_motion_guess *g)
 {
   const gs_scene *s = w->d->scene;
+  const int closed = gs_is_closed (s);
   double *x0 = gs_room_numbers (&w->room, s->nx), *xf = gs_room_numbers (&w->room, s->nx);
   double *hint = gs_room_numbers (&w->room, s->nx);
   int missing = -1;
@@ -197,11 +180,11 @@ gs_take_ends (gs_search *w, gs_motion_problem *p, gs_motion_guess *g)
       missing = j;
   if (missing < 0)
     check_start (w, x0);
-  else if (s->nlam > 0 && s->con)
+  else if (closed)
     complete_start (w, g, w->d->states[missing], x0);
   p->x0 = x0;
-  if (s->nlam > 0 && s->con && ! w->bad)
+  if (closed && ! w->bad)
     take_end (w, g, x0, xf, hint);
   p->xf = xf;
-  g->xf_hint = hint;
+  w->hint = hint;
 }

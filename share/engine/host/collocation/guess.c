@@ -45,12 +45,6 @@ follow_motion (gs_search *w, double t, double *z)
   w->bad = gs_work_end (&work) == GS_LINEAR_NO_MEMORY ? 1 : w->bad;
 }
 
-static int
-is_closed (const gs_scene *s)
-{
-  return s->nlam > 0 && s->con && s->prj;
-}
-
 /* the speeds of z at t by the positions of before and after, the time span apart */
 static void
 follow_path (gs_search *w, double t, double span, const double *before, const double *after,
@@ -128,12 +122,12 @@ straight (gs_search *w, const gs_motion_guess *given, int n, double duration, do
       t[k] = (double)k / (n - 1);
       for (int j = 0; j < s->nx; j++)
         {
-          const double a = either (p->x0[j], given->xf_hint[j], given->start[j]);
-          const double b = either (given->xf_hint[j], p->x0[j], given->start[j]);
+          const double a = either (p->x0[j], w->hint[j], given->start[j]);
+          const double b = either (w->hint[j], p->x0[j], given->start[j]);
           z[nz * k + j] = a + (b - a) * t[k];
         }
     }
-  if (is_closed (s))
+  if (gs_is_closed (s))
     close_path (w, given, n, duration, t, z);
 }
 
@@ -151,7 +145,7 @@ complete (gs_search *w, int n, double duration, int line, const double *t, doubl
         one[l] = fmax (p->low[l], fmin (p->high[l], one[l]));
       follow_motion (w, t[k] * duration, one);
     }
-  for (int k = 0; line && ! is_closed (s) && k < n; k++)
+  for (int k = 0; line && ! gs_is_closed (s) && k < n; k++)
     for (int j = s->nq; j < s->nq + s->nu; j++)
       z[nz * k + s->nx + j - s->nq] = (z[nz * (n - 1) + j] - z[j]) / duration;
 }
