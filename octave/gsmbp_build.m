@@ -377,6 +377,6 @@ endfunction
 %! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! profile on
-%! m.module ("rhs", m.cst, 0, m.initial, 0);
+%! m.rhs (0, m.initial, 0);
 %! profile off
 %! assert (any (strcmp ({profile("info").FunctionTable.FunctionName}, m.symbol)));

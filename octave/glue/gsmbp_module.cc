@@ -14,7 +14,6 @@
 #include "adjoint.h"
 #include "linear.h"
 #include "planned.h"
-#include "bound.h"
 #include "assemble.h"
 #include "reach.h"
 #include "collocation.h"
@@ -146,17 +145,6 @@ do_time (const octave_value_list& args)
   return ovl (the_seconds / repeats);
 }
 
-static octave_value_list
-answer (const std::string& call, const octave_value_list& args, int nargout)
-{
-  octave_value_list results = dispatch (call, args, nargout);
-  int most = int (results.length ());
-  if (nargout > most)
-    error ("%s.%s: expected at most %d result%s, found %d", S.name, call.c_str (), most,
-           most == 1 ? "" : "s", nargout);
-  return results;
-}
-
 // By the name under which Octave has it: a function that it does not find under its own name it
 // loads anew at every call, once a folder was added to the path behind the first one.
 DEFUNX_DLD (S.symbol, Fgsmbp_module, Ggsmbp_module, args, nargout,
@@ -169,7 +157,10 @@ DEFUNX_DLD (S.symbol, Fgsmbp_module, Ggsmbp_module, args, nargout,
     return do_time (args);
   if (call == "many")
     return do_many (args);
-  if (call == "bound")
-    return do_bound (args);
-  return answer (call, args.slice (1, args.length () - 1), nargout);
+  octave_value_list results = dispatch (call, args.slice (1, args.length () - 1), nargout);
+  int most = int (results.length ());
+  if (nargout > most)
+    error ("%s.%s: expected at most %d result%s, found %d", S.name, call.c_str (), most,
+           most == 1 ? "" : "s", nargout);
+  return results;
 }

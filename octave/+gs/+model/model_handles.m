@@ -13,7 +13,8 @@ function m = model_handles (m, calls)
     calls = f ("calls")';
   endif
   for name = calls
-    m.(name{1}) = f ("bound", cst, name{1});
+    call = name{1};
+    m.(call) = @(varargin) f (call, cst, varargin{:});
   endfor
 endfunction
 
