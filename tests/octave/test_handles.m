@@ -13,6 +13,7 @@ function test_handles ()
   outputs_of_a_run (m);
   divided ();
   built_once ();
+  saved (m);
 end
 
 ## a subroutine that no table knows has the handle that its row in the JSON tells
@@ -26,6 +27,18 @@ function of_the_json (m)
         "motor_pendulum.toy: argument u is missing; expected m.toy (t, q, u[, v])");
   says (@() m.toy (0, [1; 2], 0), "motor_pendulum.toy: argument q: expected 1 number, found 2x1");
   says (@() m.toy (0, 3, 0), "motor_pendulum.toy: INFO = 1: the pendulum stands on its head");
+end
+
+## a model that is saved, as part of a result too, is the same one when it is loaded
+function saved (m)
+  file = tempname ();
+  for format = {"-binary", "-text"}
+    save (format{1}, file, "m");
+    other = load (file).m;
+    unlink (file);
+    x = m.initial + 0.1;
+    gsmbp_check (["saved as " format{1}(2:end)], other.rhs (0.2, x, 3) - m.rhs (0.2, x, 3), 0);
+  end
 end
 
 ## the outputs of a result are those of m.out, which the interpreter does not call for each row; a
